@@ -1,0 +1,20 @@
+#include "context.h"
+
+#include "context_routes.h"
+
+static const struct {
+    bool (*create)(void);
+    void (*destroy)(void);
+} routes[CONTEXT_COUNT] = {
+    [CONTEXT_OSMESA] = {context_osmesa_create, context_osmesa_destroy},
+    [CONTEXT_EGL] = {context_egl_create, context_egl_destroy},
+};
+
+bool context_create(ContextKind kind) {
+    return routes[kind].create();
+}
+
+void context_destroy(void) {
+    for (int kind = 0; kind < CONTEXT_COUNT; kind++)
+        routes[kind].destroy();
+}

@@ -1,0 +1,145 @@
+#include "gl.h"
+
+#include "check.h"
+
+#include <dlfcn.h>
+#include <execinfo.h>
+#include <stdint.h>
+#include <string.h>
+
+static char first_error[512];
+
+static const char *error_name(GLenum error) {
+    switch (error) {
+    case GL_INVALID_ENUM:
+        return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+        return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+        return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+        return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+        return "GL_OUT_OF_MEMORY";
+    default:
+        return "an unknown GL error";
+    }
+}
+
+static const char *framebuffer_status(GLenum status) {
+    switch (status) {
+    case GL_FRAMEBUFFER_COMPLETE:
+        return "complete";
+    case GL_FRAMEBUFFER_UNDEFINED:
+        return "the default framebuffer, which does not exist here: bind frame->framebuffer";
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+        return "GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT: an attachment has no storage or a wrong format";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+        return "GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT: nothing is attached";
+    case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
+        return "GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER: a draw buffer names an attachment that is not there";
+    case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER:
+        return "GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER: the read buffer names an attachment that is not there";
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+        return "GL_FRAMEBUFFER_UNSUPPORTED: this combination of formats is not supported";
+    default:
+        return "incomplete";
+    }
+}
+
+void gl_append_caller(char *text, size_t size, void *const *frames, int count) {
+    for (int i = 0; i < count; i++) {
+        Dl_info info;
+        if (!dladdr(frames[i], &info) || !info.dli_fname || !strstr(info.dli_fname, "lab.so"))
+            continue;
+        // A return address points behind its call.
+        check_append(text, size, " @0x%lx@",
+                     (unsigned long)((uintptr_t)frames[i] - (uintptr_t)info.dli_fbase - 1));
+        return;
+    }
+}
+
+static void before_call(const char *name, GLADapiproc function, int count, ...) {
+    (void)count;
+    if (!function)
+        check_fail("%s is not in this OpenGL", name);
+}
+
+static void after_call(void *result, const char *name, GLADapiproc function, int count, ...) {
+    (void)result, (void)function, (void)count;
+    GLenum error = glad_glGetError();
+    if (error == GL_NO_ERROR || first_error[0])
+        return;
+    check_append(first_error, sizeof first_error, "%s in %s", error_name(error), name);
+    GLenum status = glad_glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+    if (error == GL_INVALID_FRAMEBUFFER_OPERATION)
+        check_append(first_error, sizeof first_error, " (the bound framebuffer is %s)", framebuffer_status(status));
+    void *frames[16];
+    gl_append_caller(first_error, sizeof first_error, frames, backtrace(frames, 16));
+}
+
+bool gl_load(GLADloadfunc load) {
+    int version = gladLoadGL(load);
+    if (version < GLAD_MAKE_VERSION(4, 1))
+        return check_fail("this context offers OpenGL %d.%d; 4.1 core is needed (install Mesa's llvmpipe)",
+                          GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version));
+    gladSetGLPreCallback(before_call);
+    gladSetGLPostCallback(after_call);
+    gladInstallGLDebug();
+    return true;
+}
+
+const char *gl_error(void) {
+    return first_error;
+}
+
+void gl_clear_error(void) {
+    first_error[0] = '\0';
+}
+
+bool gl_check_framebuffer(const char *what) {
+    GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    return status == GL_FRAMEBUFFER_COMPLETE ||
+           check_fail("the framebuffer of the %s is not complete: %s", what, framebuffer_status(status));
+}
+
+static void unbind_textures(void) {
+    for (GLenum unit = 0; unit < 8; unit++) {
+        glActiveTexture(GL_TEXTURE0 + unit);
+        glBindTexture(GL_TEXTURE_2D, 0);
+        glBindTexture(GL_TEXTURE_3D, 0);
+        glBindSampler(unit, 0);
+    }
+    glActiveTexture(GL_TEXTURE0);
+}
+
+void gl_reset(void) {
+    static const GLenum off[] = {GL_BLEND,         GL_STENCIL_TEST,        GL_SCISSOR_TEST,
+                                 GL_DEPTH_CLAMP,   GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB,
+                                 GL_COLOR_LOGIC_OP};
+    for (unsigned i = 0; i < sizeof off / sizeof off[0]; i++)
+        glDisable(off[i]);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDepthRange(0, 1);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilMask(~0u);
+    glStencilFunc(GL_ALWAYS, 0, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glBlendFunc(GL_ONE, GL_ZERO);
+    glBlendEquation(GL_FUNC_ADD);
+    glEnable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+    glFrontFace(GL_CCW);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glPolygonOffset(0, 0);
+    glClearColor(0, 0, 0, 1);
+    glClearDepth(1);
+    glClearStencil(0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glBindVertexArray(0);
+    glUseProgram(0);
+    unbind_textures();
+}

@@ -1,0 +1,25 @@
+// Pictures in memory and as PNG. No GL.
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+// Row 0 is the top row. Alpha is 255, or 0 where the renderer produced a colour that is not a finite number.
+typedef struct Image {
+    int width, height;
+    uint8_t *rgba; // width * height * 4 bytes, owned
+} Image;
+
+bool image_create(Image *image, int width, int height);
+void image_destroy(Image *image); // accepts a zeroed image
+
+// Number of bytes of the pixels.
+size_t image_bytes(const Image *image);
+
+// Same size and content copied. `copy` must be zeroed or an image that may be freed.
+bool image_copy(Image *copy, const Image *image);
+
+// 8-bit RGB PNG; alpha is dropped.
+bool image_write_png(const Image *image, const char *path);
+bool image_read_png(Image *image, const char *path);

@@ -1,0 +1,50 @@
+// The contract between a lab and whoever runs it. A lab is one constant table named `lab` and the functions it names;
+// a program called worker loads it and asks for frames. A lab knows common/ and shaders/, nothing else.
+#pragma once
+
+#include "check.h"
+#include "draw.h"
+#include "gl.h"
+#include "mathx.h"
+#include "program.h"
+#include "scene.h"
+#include "target.h"
+
+#include <stdbool.h>
+
+enum { LAB_MAX_PASSES = 8, LAB_MAX_KNOBS = 12, LAB_MAX_STAGES = 8, LAB_MAX_PROGRAMS = 8, LAB_MAX_NAME = 32 };
+
+// A parameter that the window puts on keys, the grader sets and the study sweeps.
+typedef struct Knob {
+    const char *name, *unit;
+    float low, high, value; // value: the default
+} Knob;
+
+// One step of a frame; passes run in the order of the table. A pass sets what it needs (framebuffer, viewport, state):
+// nothing is reset between passes, only before the first one (see gl_reset).
+typedef struct Pass {
+    const char *name;
+    void (*draw)(const Frame *frame);
+} Pass;
+
+// An intermediate result to look at: a 2D texture that the lab owns, colour or depth. It is read after the passes.
+typedef struct Stage {
+    const char *name;
+    const GLuint *texture;
+} Stage;
+
+// Lists end at their first entry without a name (programs: without a vertex shader).
+typedef struct Lab {
+    const char *title;
+    ProgramFiles programs[LAB_MAX_PROGRAMS + 1]; // compiled before create; frame->programs has the same order
+    Knob knobs[LAB_MAX_KNOBS + 1];
+    Pass passes[LAB_MAX_PASSES + 1];
+    Stage stages[LAB_MAX_STAGES + 1];
+    // Makes what the passes need, for frames of this size and these knobs; called again, after destroy, when one of
+    // them changes. False with check_fail's message when it cannot.
+    bool (*create)(const Frame *frame);
+    // Frees what create made, also when create stopped half-way.
+    void (*destroy)(void);
+} Lab;
+
+extern const Lab lab;

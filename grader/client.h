@@ -1,0 +1,39 @@
+// Our end of a worker process: one lab, asked for frames.
+#pragma once
+
+#include "context_kind.h"
+#include "files.h"
+#include "image.h"
+#include "process.h"
+#include "protocol.h"
+
+#include <stdbool.h>
+
+typedef enum Trust {
+    TRUST_OURS,    // a solution: no limits, compiled shaders are kept between runs
+    TRUST_NOBODY   // a submission: limits on time and memory, nothing shared
+} Trust;
+
+typedef struct Client {
+    char folder[FILES_PATH]; // holds lab.so and the lab's shaders
+    Trust trust;
+    ContextKind context;
+    double seconds; // wall and processor time that a submission may use
+    bool started;
+    Process process;
+} Client;
+
+typedef enum DrawResult {
+    DRAW_OK,     // the picture is there
+    DRAW_FAILED, // the lab said why not: reply->message
+    DRAW_LOST,   // the process is gone: reply->message says how
+    DRAW_TIMEOUT // the same, because it used up its time
+} DrawResult;
+
+// Draws one frame; starts the worker first when it does not run. A lost worker stays lost. `image` is created at the
+// size of the request when it has another one.
+DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply);
+
+// Starts the worker without waiting for it, so that several start side by side. False: no process can be started.
+bool client_start(Client *client);
+void client_stop(Client *client); // accepts a zeroed client

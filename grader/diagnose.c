@@ -1,0 +1,130 @@
+#include "diagnose.h"
+
+#include "check.h"
+#include "error_kind.h"
+#include "score.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// A picture belongs to a mistake when it is this much nearer to the mistake's picture than to the reference.
+static const double NEAR = 0.2;
+
+enum { MAX_MISTAKES = 40 };
+
+// Sums of distances over the frames of a check.
+typedef struct Distances {
+    double to_reference, to_null;
+    double to_mistake[MAX_MISTAKES];
+} Distances;
+
+static void name_cause(CheckResult *check, const char *mistake, const char *hint) {
+    check->has_cause = true;
+    snprintf(check->mistake, sizeof check->mistake, "%s", mistake);
+    snprintf(check->hint, sizeof check->hint, "%s", hint ? hint : "");
+}
+
+static void measure_ours(Distances *distances, const CheckResult *check, const Variant *variants) {
+    *distances = (Distances){0};
+    for (int n = 0; n < check->check->variants; n++) {
+        distances->to_reference += score_rmse(&check->yours[n], &variants[n].reference);
+        distances->to_null += score_rmse(&check->yours[n], &variants[n].without);
+    }
+}
+
+static bool measure_mistake(Distances *distances, int m, const CheckResult *check, const Variant *variants,
+                            Client *mistaken) {
+    static Reply reply;
+    Image theirs = {0};
+    bool ok = true;
+    for (int n = 0; ok && n < check->check->variants; n++) {
+        ok = roster_draw(mistaken, &variants[n].request, &theirs, &reply);
+        distances->to_mistake[m] += score_rmse(&check->yours[n], &theirs);
+    }
+    image_destroy(&theirs);
+    return ok;
+}
+
+static bool wants_cause(const CheckResult *check) {
+    return !check->passed && check->yours[0].rgba;
+}
+
+// A mistake's distance to all failed checks together.
+static double total(const LabResult *result, const Distances *distances, int m) {
+    double sum = 0;
+    for (int c = 0; c < result->check_count; c++)
+        if (wants_cause(&result->checks[c]))
+            sum += m < 0 ? distances[c].to_reference : distances[c].to_mistake[m];
+    return sum;
+}
+
+// The mistake that explains every failed check, or -1.
+static int find_common(const LabResult *result, const Distances *distances, int mistakes) {
+    int best = -1;
+    double nearest = NEAR * total(result, distances, -1);
+    for (int m = 0; m < mistakes; m++)
+        if (total(result, distances, m) < nearest) {
+            nearest = total(result, distances, m);
+            best = m;
+        }
+    return best;
+}
+
+// The mistake nearest in this check; among equals one of the check's own task. -1 when none is near.
+static int find_own(const Check *check, const Distances *distances, const Rubric *rubric) {
+    int best = -1;
+    double nearest = NEAR * distances->to_reference;
+    for (int m = 0; m < rubric->mistake_count; m++) {
+        bool own = rubric->mistakes[m].task && strcmp(rubric->mistakes[m].task, check->task) == 0;
+        double distance = distances->to_mistake[m] - (own ? 1e-6 : 0);
+        if (distance < nearest) {
+            nearest = distance;
+            best = m;
+        }
+    }
+    return best;
+}
+
+static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam) {
+    const Rubric *rubric = exam->rubric;
+    int own = common >= 0 ? common : find_own(check->check, distances, rubric);
+    if (distances->to_null == 0 && common < 0) {
+        char text[128];
+        snprintf(text, sizeof text, "task %s is not done", check->check->task);
+        name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
+    } else if (own >= 0) {
+        name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
+    } else {
+        const Variant *variant = &exam->variants[check->check - rubric->checks][check->worst];
+        char text[128];
+        error_kind(text, sizeof text, &check->yours[check->worst], &variant->reference);
+        name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
+    }
+}
+
+bool diagnose(LabResult *result, const Exam *exam, Roster *roster) {
+    const Rubric *rubric = exam->rubric;
+    static Distances distances[RUBRIC_MAX_CHECKS];
+    bool wanted = false, ok = true;
+    INVARIANT(rubric->mistake_count <= MAX_MISTAKES);
+    for (int c = 0; c < result->check_count; c++)
+        if (wants_cause(&result->checks[c])) {
+            measure_ours(&distances[c], &result->checks[c], exam->variants[c]);
+            wanted = true;
+        }
+    for (int m = 0; wanted && ok && m < rubric->mistake_count; m++) // start them all, so that they load side by side
+        ok = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &rubric->mistakes[m]) != NULL;
+    for (int m = 0; wanted && ok && m < rubric->mistake_count; m++) {
+        Client *mistaken = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &rubric->mistakes[m]);
+        for (int c = 0; ok && c < result->check_count; c++)
+            if (wants_cause(&result->checks[c]))
+                ok = measure_mistake(&distances[c], m, &result->checks[c], exam->variants[c], mistaken);
+    }
+    int common = wanted && ok ? find_common(result, distances, rubric->mistake_count) : -1;
+    for (int c = 0; ok && c < result->check_count; c++)
+        if (wants_cause(&result->checks[c]))
+            explain(&result->checks[c], &distances[c], common, exam);
+    return ok;
+}

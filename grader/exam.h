@@ -1,0 +1,31 @@
+// The frames that a lab is graded by: for each check of the rubric some variants drawn from a seed, with what the
+// solution draws for them, what it draws without the check's task and what the skeleton draws.
+#pragma once
+
+#include "roster.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { EXAM_MAX_VARIANTS = 8 };
+
+typedef struct Variant {
+    Request request;
+    Image reference, without, skeleton;
+    float reference_ms; // CPU time of the solution's passes
+} Variant;
+
+typedef struct Exam {
+    const Rubric *rubric;
+    uint64_t seed;
+    Variant variants[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    char renderer[128];
+} Exam;
+
+// Draws the variants. A variant is taken only when the task and the whole lab each change at least 1 % of its pixels
+// and nothing cheap scores in it: black, the mean colour and the references of the check's other variants all get 0.
+bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed);
+void exam_destroy(Exam *exam); // accepts a zeroed exam
+
+// Sum of the pass times of a reply.
+float exam_milliseconds(const Reply *reply);

@@ -1,0 +1,126 @@
+#include "files.h"
+
+#include "check.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static char *read_all(int descriptor, const char *path, size_t limit) {
+    struct stat info;
+    if (fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode)) {
+        check_fail("%s is not a regular file", path);
+        return NULL;
+    }
+    if ((size_t)info.st_size > limit) {
+        check_fail("%s is larger than %zu KiB", path, limit / 1024);
+        return NULL;
+    }
+    size_t size = (size_t)info.st_size, done = 0;
+    char *text = calloc(size + 1, 1);
+    while (text && done < size) {
+        ssize_t n = read(descriptor, text + done, size - done);
+        if (n <= 0)
+            break;
+        done += (size_t)n;
+    }
+    return text;
+}
+
+static char *read_at(int folder, const char *name, const char *path, int flags, size_t limit) {
+    int descriptor = openat(folder, name, O_RDONLY | O_CLOEXEC | O_NONBLOCK | flags);
+    if (descriptor < 0) {
+        check_fail(errno == ELOOP ? "%s is a symbolic link: hand in the file itself" : "%s cannot be read: %s", path,
+                   strerror(errno));
+        return NULL;
+    }
+    char *text = read_all(descriptor, path, limit);
+    close(descriptor);
+    return text;
+}
+
+char *files_read(const char *path, size_t limit) {
+    return read_at(AT_FDCWD, path, path, 0, limit);
+}
+
+char *files_read_strange(const char *folder, const char *name, size_t limit) {
+    int at = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (at < 0) {
+        check_fail("%s cannot be opened: %s", folder, strerror(errno));
+        return NULL;
+    }
+    char *text = read_at(at, name, name, O_NOFOLLOW, limit);
+    close(at);
+    return text;
+}
+
+bool files_write(const char *path, const char *text) {
+    FILE *file = fopen(path, "w");
+    bool ok = file && fputs(text, file) >= 0;
+    if (file && fclose(file) != 0)
+        ok = false;
+    return ok || check_fail("%s cannot be written: %s", path, strerror(errno));
+}
+
+bool files_exists(const char *path) {
+    return access(path, F_OK) == 0;
+}
+
+bool files_make_temporary(char path[FILES_PATH]) {
+    const char *parent = getenv("TMPDIR");
+    files_join(path, parent ? parent : "/tmp", "shadow-lab-XXXXXX");
+    return mkdtemp(path) || check_fail("no temporary folder %s: %s", path, strerror(errno));
+}
+
+bool files_make_folder(const char *path) {
+    char partial[FILES_PATH];
+    files_join(partial, path, "");
+    for (char *slash = strchr(partial + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        if (mkdir(partial, 0777) != 0 && errno != EEXIST)
+            return check_fail("folder %s cannot be made: %s", partial, strerror(errno));
+        *slash = '/';
+    }
+    return true;
+}
+
+static int remove_entry(const char *path, const struct stat *info, int kind, struct FTW *position) {
+    (void)info, (void)kind, (void)position;
+    return remove(path);
+}
+
+void files_remove(const char *path) {
+    nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+}
+
+void files_join(char path[FILES_PATH], const char *a, const char *b) {
+    int length = snprintf(path, FILES_PATH, "%s/%s", a, b);
+    INVARIANT(length >= 0 && length < FILES_PATH);
+}
+
+static int visible(const struct dirent *entry) {
+    return strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
+}
+
+static int by_bytes(const struct dirent **a, const struct dirent **b) {
+    return strcmp((*a)->d_name, (*b)->d_name);
+}
+
+bool files_list(const char *folder, void (*visit)(const char *name, void *context), void *context) {
+    struct dirent **entries;
+    int count = scandir(folder, &entries, visible, by_bytes);
+    if (count < 0)
+        return check_fail("folder %s cannot be read: %s", folder, strerror(errno));
+    for (int i = 0; i < count; i++) {
+        visit(entries[i]->d_name, context);
+        free(entries[i]);
+    }
+    free(entries);
+    return true;
+}

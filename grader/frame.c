@@ -1,0 +1,146 @@
+// frame: draws one frame of one of our labs to a PNG; the pictures of the handouts are made with it.
+#include "check.h"
+#include "exam.h"
+#include "home.h"
+
+#include <errno.h>
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char usage[] =
+    "usage: build/frame --lab NN --scene NAME [options] FILE.png\n"
+    "  --view V          picture (default), visibility or a stage of the lab\n"
+    "  --seed N          variant of the scene (default 1)\n"
+    "  --size WxH        default 480x360\n"
+    "  --knob NAME=VALUE may be repeated\n"
+    "  --skeleton        nothing solved\n"
+    "  --up-to TASK      solved up to this task\n"
+    "  --without TASK    all solved but this task\n"
+    "  --mistake NAME    the solution with a mistake of mistakes.json\n"
+    "  --context C       osmesa (default) or egl\n";
+
+typedef struct Options {
+    const char *lab, *scene, *mistake;
+    Solved solved;
+    uint64_t seed;
+    Request request;
+    ContextKind context;
+} Options;
+
+static bool take_knob(Request *request, const char *text) {
+    const char *equals = strchr(text, '=');
+    if (!equals || request->knob_count == LAB_MAX_KNOBS)
+        return check_fail("--knob takes NAME=VALUE, not \"%s\"", text);
+    KnobSetting *knob = &request->knobs[request->knob_count++];
+    snprintf(knob->name, sizeof knob->name, "%.*s", (int)(equals - text), text);
+    knob->value = strtof(equals + 1, NULL);
+    return true;
+}
+
+static bool take_size(Request *request, const char *text) {
+    int used = 0;
+    bool ok = sscanf(text, "%dx%d%n", &request->width, &request->height, &used) == 2 && text[used] == '\0' &&
+              request->width > 0 && request->height > 0 && request->width <= PROTOCOL_MAX_SIZE &&
+              request->height <= PROTOCOL_MAX_SIZE;
+    return ok || check_fail("--size takes WIDTHxHEIGHT up to %d, not \"%s\"", PROTOCOL_MAX_SIZE, text);
+}
+
+static bool take_option(Options *options, int option, char *value) {
+    switch (option) {
+    case 'l':
+        options->lab = value;
+        return true;
+    case 'n':
+        options->scene = value;
+        return true;
+    case 'v':
+        snprintf(options->request.view, sizeof options->request.view, "%s", value);
+        return true;
+    case 's':
+        options->seed = strtoull(value, NULL, 10);
+        return true;
+    case 'z':
+        return take_size(&options->request, value);
+    case 'k':
+        return take_knob(&options->request, value);
+    case 'e':
+        options->solved = (Solved){SOLVED_NONE, NULL};
+        return true;
+    case 'u':
+        options->solved = (Solved){SOLVED_UP_TO, value};
+        return true;
+    case 'w':
+        options->solved = (Solved){SOLVED_ALL_BUT, value};
+        return true;
+    case 'm':
+        options->mistake = value;
+        return true;
+    case 'c':
+        return context_parse(&options->context, value);
+    default:
+        return check_fail("unknown option, or one without its value");
+    }
+}
+
+static bool parse(Options *options, int count, char **arguments) {
+    static const struct option table[] = {
+        {"lab", required_argument, NULL, 'l'},     {"scene", required_argument, NULL, 'n'},
+        {"view", required_argument, NULL, 'v'},    {"seed", required_argument, NULL, 's'},
+        {"size", required_argument, NULL, 'z'},    {"knob", required_argument, NULL, 'k'},
+        {"skeleton", no_argument, NULL, 'e'},      {"up-to", required_argument, NULL, 'u'},
+        {"without", required_argument, NULL, 'w'}, {"mistake", required_argument, NULL, 'm'},
+        {"context", required_argument, NULL, 'c'}, {0}};
+    *options = (Options){.seed = 1, .request = {.magic = PROTOCOL_MAGIC, .width = 480, .height = 360}};
+    strcpy(options->request.view, VIEW_PICTURE);
+    opterr = 0;
+    for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;)
+        if (!take_option(options, option, optarg))
+            return false;
+    return (options->lab && options->scene && optind == count - 1) ||
+           check_fail("--lab, --scene and one FILE.png are needed");
+}
+
+static const Change *find_mistake(const Rubric *rubric, const char *name) {
+    for (int i = 0; i < rubric->mistake_count; i++)
+        if (strcmp(rubric->mistakes[i].name, name) == 0)
+            return &rubric->mistakes[i];
+    check_fail("lab %s has no mistake \"%s\" in mistakes.json", rubric->id, name);
+    return NULL;
+}
+
+static bool draw(Options *options, const Rubric *rubric, const char *path) {
+    static Reply reply;
+    Image image = {0};
+    Roster roster = {.rubric = rubric, .context = options->context};
+    Random random = {options->seed};
+    const Change *change = options->mistake ? find_mistake(rubric, options->mistake) : NULL;
+    bool ok = (change || !options->mistake) && scene_make(&options->request.scene, options->scene, &random);
+    Client *client = ok ? roster_get(&roster, options->solved, change) : NULL;
+    ok = client && roster_draw(client, &options->request, &image, &reply);
+    if (ok && reply.message[0])
+        fprintf(stderr, "frame: %s\n", reply.message);
+    ok = ok && (reply.drawn || check_fail("nothing was drawn")) && image_write_png(&image, path);
+    image_destroy(&image);
+    roster_destroy(&roster);
+    return ok;
+}
+
+int main(int count, char **arguments) {
+    static Options options;
+    if (!parse(&options, count, arguments)) {
+        fprintf(stderr, "frame: %s\n%s", check_message(), usage);
+        return 2;
+    }
+    signal(SIGPIPE, SIG_IGN);
+    char folder[FILES_PATH];
+    Rubric rubric = {0};
+    bool found = home_find_lab(folder, options.lab) || check_fail("there is no lab \"%s\"", options.lab);
+    bool ok = found && rubric_load(&rubric, folder) && draw(&options, &rubric, arguments[count - 1]);
+    if (!ok)
+        fprintf(stderr, "frame: %s\n", check_message());
+    rubric_destroy(&rubric);
+    return ok ? 0 : 1;
+}

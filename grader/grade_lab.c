@@ -1,0 +1,178 @@
+#include "grade_lab.h"
+
+#include "check.h"
+#include "derive.h"
+#include "diagnose.h"
+#include "report.h"
+#include "score.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double PASSED_SHARE = 0.95; // of a check's points
+
+static void add_warning(LabResult *result, const char *text) {
+    char clean[RESULT_TEXT];
+    result_clean(clean, sizeof clean, text);
+    if (!strstr(result->warnings, clean))
+        check_append(result->warnings, sizeof result->warnings, "%s%s", result->warnings[0] ? "\n" : "", clean);
+}
+
+void grade_begin(LabResult *result, const Rubric *rubric) {
+    memset(result, 0, sizeof *result);
+    memcpy(result->id, rubric->id, sizeof result->id);
+    snprintf(result->name, sizeof result->name, "%s", rubric->title);
+    result->max_score = rubric_points(rubric);
+    result->check_count = rubric->check_count;
+    for (int c = 0; c < rubric->check_count; c++)
+        result->checks[c] = (CheckResult){.check = &rubric->checks[c], .error = 1};
+}
+
+static void fail_lab(LabResult *result, LabStatus status, const char *message) {
+    if (result->message[0])
+        return;
+    result->status = status;
+    result_clean(result->message, sizeof result->message, message);
+}
+
+static void score_check(CheckResult *check, const Variant *variants) {
+    check->share = 1;
+    check->error = 0;
+    for (int n = 0; n < check->check->variants; n++) {
+        FrameScore score = {.inside = 1};
+        if (check->yours[n].rgba)
+            score = score_frame(&check->yours[n], &variants[n].reference, &variants[n].without,
+                                &variants[n].skeleton);
+        if (score.inside + score.outside > check->error || n == 0) {
+            check->share = score.share;
+            check->error = score.inside + score.outside;
+            check->worst = n;
+        }
+    }
+    check->passed = check->share >= PASSED_SHARE;
+}
+
+static int by_value(const void *a, const void *b) {
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+typedef struct Ratios {
+    float values[RUBRIC_MAX_CHECKS * EXAM_MAX_VARIANTS];
+    int count;
+} Ratios;
+
+static bool has_bad_pixels(const Image *image) {
+    for (size_t at = 3; at < image_bytes(image); at += 4)
+        if (image->rgba[at] == 0)
+            return true;
+    return false;
+}
+
+// Draws one frame of the student's; false when no more frames will come.
+static bool draw_one(LabResult *result, Client *student, const Variant *variant, Image *yours, Ratios *ratios) {
+    static Reply reply;
+    DrawResult drawn = client_draw(student, &variant->request, yours, &reply);
+    if (drawn == DRAW_OK) {
+        if (reply.message[0])
+            add_warning(result, reply.message);
+        if (has_bad_pixels(yours))
+            add_warning(result, "some pixels are not finite numbers (NaN or infinity): is there a division by zero, a "
+                                "pow of a negative number or a normalize of a zero vector in a shader?");
+        ratios->values[ratios->count++] = exam_milliseconds(&reply) / variant->reference_ms;
+        return true;
+    }
+    image_destroy(yours);
+    fail_lab(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply.message);
+    return drawn == DRAW_FAILED;
+}
+
+void grade_frames(LabResult *result, const Exam *exam, Client *student) {
+    Ratios ratios = {0};
+    bool alive = true;
+    for (int c = 0; c < result->check_count; c++) {
+        CheckResult *check = &result->checks[c];
+        for (int n = 0; alive && n < check->check->variants; n++)
+            alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &ratios);
+        score_check(check, exam->variants[c]);
+        result->score += result_points(check);
+    }
+    qsort(ratios.values, (size_t)ratios.count, sizeof ratios.values[0], by_value);
+    result->speed_ratio = ratios.count > 0 ? ratios.values[ratios.count / 2] : 0;
+    bool passed = result->score >= exam->rubric->pass_mark / 100 * result->max_score;
+    if (!result->message[0])
+        result->status = passed ? LAB_PASSED : LAB_FAILED;
+}
+
+typedef struct Ignored {
+    const Rubric *rubric;
+    LabResult *result;
+    int count;
+} Ignored;
+
+static void note_ignored(const char *name, void *context) {
+    Ignored *ignored = context;
+    for (int i = 0; i < ignored->rubric->file_count; i++)
+        if (strcmp(ignored->rubric->files[i], name) == 0)
+            return;
+    if (strcmp(name, "README.md") == 0 || strcmp(name, "picture.png") == 0 ||
+        (strlen(name) > 5 && strcmp(name + strlen(name) - 5, ".json") == 0))
+        return; // part of the handout
+    if (++ignored->count > 8)
+        return;
+    char text[400];
+    snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
+    add_warning(ignored->result, text);
+}
+
+static bool take_submission(LabResult *result, Client *student, const Rubric *rubric, const char *submission) {
+    static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
+    check_clear();
+    Ignored ignored = {rubric, result, 0};
+    bool ok = files_list(submission, note_ignored, &ignored) &&
+              derive_submission(student->folder, rubric, submission, log);
+    if (!ok) {
+        snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
+        fail_lab(result, LAB_ERROR, text);
+    } else if (log[0]) {
+        add_warning(result, log);
+    }
+    check_clear();
+    return ok;
+}
+
+static bool examine(LabResult *result, const Rubric *rubric, Client *student, const GradeOptions *options,
+                    Roster *roster, char renderer[128]) {
+    Exam *exam = calloc(1, sizeof *exam);
+    if (!exam)
+        return check_fail("out of memory");
+    client_start(student);
+    bool ok = exam_create(exam, rubric, roster, options->seed);
+    if (ok) {
+        memcpy(renderer, exam->renderer, sizeof exam->renderer);
+        grade_frames(result, exam, student);
+        ok = diagnose(result, exam, roster) &&
+             (!options->output || report_evidence(result, exam, options->output));
+        exam_destroy(exam);
+    }
+    free(exam);
+    return ok;
+}
+
+bool grade_lab(LabResult *result, const Rubric *rubric, const char *submission, const GradeOptions *options,
+               char renderer[128]) {
+    static Client student;
+    Roster roster = {.rubric = rubric, .context = options->context};
+    student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
+    grade_begin(result, rubric);
+    if (!files_make_temporary(student.folder))
+        return false;
+    bool ok = true;
+    if (take_submission(result, &student, rubric, submission))
+        ok = examine(result, rubric, &student, options, &roster, renderer);
+    client_stop(&student);
+    roster_destroy(&roster);
+    files_remove(student.folder);
+    return ok;
+}

@@ -1,0 +1,41 @@
+// What a client and the worker say to each other, through two pipes on one machine: for each Request one Reply,
+// followed by exactly width * height * 4 bytes of RGBA pixels (top row first), also when the lab failed.
+#pragma once
+
+#include "lab.h"
+
+#include <stdint.h>
+
+enum {
+    PROTOCOL_MAGIC = 0x31424c53,
+    PROTOCOL_REQUESTS = 0, // the worker's descriptors
+    PROTOCOL_REPLIES = 3,
+    PROTOCOL_MAX_SIZE = 4096, // width and height
+    PROTOCOL_TEXT = 5000
+};
+
+// Views that are not a stage of the lab.
+#define VIEW_PICTURE "picture"       // the frame as its viewer sees it
+#define VIEW_VISIBILITY "visibility" // lit white, shadow black, whatever the colours
+
+typedef struct KnobSetting {
+    char name[LAB_MAX_NAME];
+    float value;
+} KnobSetting;
+
+typedef struct Request {
+    uint32_t magic;
+    int32_t width, height;
+    char view[LAB_MAX_NAME]; // a view above or the name of a stage
+    KnobSetting knobs[LAB_MAX_KNOBS];
+    int32_t knob_count; // knobs not named keep their defaults
+    Scene scene;
+} Request;
+
+typedef struct Reply {
+    uint32_t magic;
+    int32_t drawn;                        // 1: the pixels are the lab's; 0: they are black, and `message` says why
+    float milliseconds[LAB_MAX_PASSES];   // CPU time of each pass
+    char message[PROTOCOL_TEXT];          // why it was not drawn, or the first GL error or check_fail of the frame
+    char renderer[128];                   // "GL_VERSION / GL_RENDERER"
+} Reply;

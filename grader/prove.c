@@ -1,0 +1,201 @@
+// prove [--lab NN]... [--seeds N] [--context C]: proves a rubric. Over N seeds it draws, for each lab, the solution, the
+// skeleton, each catalogued mistake, each alternative and some cheap pictures, grades them like a submission and
+// prints a table (Markdown, for grader/README.md). Exit status 1 when one of them is not graded as it should be:
+// solution and alternatives 100 %, skeleton 0 on every check, mistakes below the pass mark and named correctly, cheap
+// pictures 0 on every check. `N passed, N failed` counts contenders.
+#include "check.h"
+#include "grade_lab.h"
+#include "diagnose.h"
+#include "home.h"
+#include "score.h"
+
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_SEEDS = 100 };
+
+typedef enum Kind { KIND_SOLUTION, KIND_SKELETON, KIND_MISTAKE, KIND_ALTERNATIVE } Kind;
+
+typedef struct Row {
+    Kind kind;
+    const Change *change;
+    double lowest, highest; // percent
+    int right, seeds;       // runs graded as they should be
+    char other[128];        // a diagnosis that was not the mistake's name, or a check that went wrong
+} Row;
+
+typedef struct Proof {
+    int seeds, passed, failed;
+    ContextKind context;
+    bool broken; // a fault of ours
+} Proof;
+
+static Solved solved_of(Kind kind) {
+    return kind == KIND_SKELETON ? (Solved){SOLVED_NONE, NULL} : (Solved){SOLVED_ALL, NULL};
+}
+
+static void note(Row *row, const char *text) {
+    if (!row->other[0])
+        snprintf(row->other, sizeof row->other, "%s", text);
+}
+
+// Is the mistake named in a failed check, and nothing else in any?
+static bool named_right(const LabResult *result, Row *row) {
+    bool named = false;
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        if (check->passed)
+            continue;
+        if (strcmp(check->mistake, row->change->name) != 0) {
+            note(row, check->has_cause ? check->mistake : result->message);
+            return false;
+        }
+        named = true;
+    }
+    return named;
+}
+
+static bool all_zero(const LabResult *result, Row *row) {
+    for (int c = 0; c < result->check_count; c++)
+        if (result->checks[c].share > 0) {
+            note(row, result->checks[c].check->name);
+            return false;
+        }
+    return true;
+}
+
+static bool all_full(const LabResult *result, Row *row) {
+    for (int c = 0; c < result->check_count; c++)
+        if (result->checks[c].share < 1) {
+            note(row, result->checks[c].check->name);
+            return false;
+        }
+    if (result->message[0] || result->warnings[0])
+        note(row, result->message[0] ? result->message : result->warnings);
+    return !result->message[0] && !result->warnings[0];
+}
+
+static bool judge(const LabResult *result, Row *row, const Rubric *rubric) {
+    switch (row->kind) {
+    case KIND_SKELETON:
+        return all_zero(result, row);
+    case KIND_MISTAKE:
+        return named_right(result, row) && result->score < rubric->pass_mark / 100 * result->max_score;
+    default:
+        return all_full(result, row);
+    }
+}
+
+// Grades one of ours as if it were a submission: by a worker of its own.
+static bool run_row(Row *row, const Exam *exam, Roster *roster) {
+    static LabResult result;
+    Client *contender = roster_get(roster, solved_of(row->kind), row->change);
+    if (!contender)
+        return false;
+    grade_begin(&result, exam->rubric);
+    grade_frames(&result, exam, contender);
+    bool ok = diagnose(&result, exam, roster);
+    double percent = 100 * result.score / result.max_score;
+    if (row->seeds == 0 || percent < row->lowest)
+        row->lowest = percent;
+    if (row->seeds == 0 || percent > row->highest)
+        row->highest = percent;
+    row->seeds++;
+    row->right += ok && judge(&result, row, exam->rubric);
+    result_destroy_lab(&result);
+    return ok;
+}
+
+static int list_rows(Row *rows, const Rubric *rubric) {
+    int count = 0;
+    rows[count++] = (Row){.kind = KIND_SOLUTION};
+    rows[count++] = (Row){.kind = KIND_SKELETON};
+    for (int i = 0; i < rubric->mistake_count; i++)
+        rows[count++] = (Row){.kind = KIND_MISTAKE, .change = &rubric->mistakes[i]};
+    for (int i = 0; i < rubric->alternative_count; i++)
+        rows[count++] = (Row){.kind = KIND_ALTERNATIVE, .change = &rubric->alternatives[i]};
+    return count;
+}
+
+static void print_rows(const Row *rows, int count, const Rubric *rubric, Proof *proof) {
+    static const char *const kinds[] = {"solution", "skeleton", "mistake", "alternative"};
+    for (int i = 0; i < count; i++) {
+        const Row *row = &rows[i];
+        bool right = row->right == row->seeds;
+        proof->passed += right;
+        proof->failed += !right;
+        printf("| %s | %s | %s | %.0f | %.0f | %s%s%s |\n", rubric->id, kinds[row->kind],
+               row->change ? row->change->name : "", row->lowest, row->highest,
+               right ? (row->kind == KIND_MISTAKE ? "named" : "as it should be") : "WRONG: ",
+               right ? "" : row->other[0] ? row->other : "not below the pass mark", "");
+    }
+}
+
+static bool prove_seeds(const Rubric *rubric, Proof *proof, Row *rows, int count, Roster *roster) {
+    Exam *exam = calloc(1, sizeof *exam);
+    bool ok = exam != NULL;
+    for (int seed = 1; ok && seed <= proof->seeds; seed++) {
+        ok = exam_create(exam, rubric, roster, (uint64_t)seed);
+        for (int i = 0; ok && i < count; i++)
+            ok = run_row(&rows[i], exam, roster);
+        if (ok)
+            exam_destroy(exam);
+    }
+    free(exam);
+    return ok;
+}
+
+static void prove_lab(const char *id, void *context) {
+    Proof *proof = context;
+    static Row rows[128];
+    char folder[FILES_PATH];
+    Rubric rubric = {0};
+    if (proof->broken)
+        return;
+    bool ok = (home_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) && rubric_load(&rubric, folder);
+    Roster roster = {.rubric = &rubric, .context = proof->context};
+    if (ok) {
+        int count = list_rows(rows, &rubric);
+        ok = prove_seeds(&rubric, proof, rows, count, &roster);
+        print_rows(rows, count, &rubric, proof);
+    }
+    roster_destroy(&roster);
+    rubric_destroy(&rubric);
+    proof->broken = !ok;
+}
+
+int main(int count, char **arguments) {
+    static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
+                                          {"seeds", required_argument, NULL, 's'},
+                                          {"context", required_argument, NULL, 'c'},
+                                          {0}};
+    Proof proof = {.seeds = 10};
+    const char *labs[RESULT_MAX_LABS];
+    int lab_count = 0;
+    bool ok = true;
+    for (int option; ok && (option = getopt_long(count, arguments, "", table, NULL)) != -1;) {
+        ok = option != '?' && (option != 'c' || context_parse(&proof.context, optarg));
+        if (option == 's')
+            proof.seeds = atoi(optarg);
+        if (option == 'l' && lab_count < RESULT_MAX_LABS)
+            labs[lab_count++] = optarg;
+    }
+    if (!ok || optind != count || proof.seeds < 1 || proof.seeds > MAX_SEEDS) {
+        fprintf(stderr, "usage: build/prove [--lab NN]... [--seeds 1..%d] [--context osmesa|egl]\n", MAX_SEEDS);
+        return 2;
+    }
+    signal(SIGPIPE, SIG_IGN);
+    printf("| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
+           proof.seeds);
+    if (lab_count == 0)
+        home_list_labs(prove_lab, &proof);
+    for (int i = 0; i < lab_count; i++)
+        prove_lab(labs[i], &proof);
+    if (proof.broken)
+        fprintf(stderr, "prove: %s\n", check_message());
+    printf("%d passed, %d failed\n", proof.passed, proof.failed + proof.broken);
+    return proof.broken || proof.failed ? 1 : 0;
+}

@@ -1,0 +1,62 @@
+#include "report.h"
+
+#include <string.h>
+
+enum { BAR = 30 };
+
+typedef struct Colors {
+    const char *good, *bad, *dim, *bold, *end;
+} Colors;
+
+// Prints a text of several lines, each behind `prefix`.
+static void print_lines(FILE *out, const char *prefix, const char *text) {
+    while (*text) {
+        int length = (int)strcspn(text, "\n");
+        fprintf(out, "%s%.*s\n", prefix, length, text);
+        text += length + (text[length] == '\n');
+    }
+}
+
+static void print_check(const CheckResult *check, FILE *out, const Colors *colors) {
+    fprintf(out, "  %s%s%s %6.2f/%-3d %-4s %s\n", check->passed ? colors->good : colors->bad,
+            check->passed ? "ok  " : "FAIL", colors->end, result_points(check), check->check->points,
+            check->check->task, check->check->name);
+    if (!check->has_cause)
+        return;
+    fprintf(out, "         %s%s%s\n", colors->bold, check->mistake, colors->end);
+    print_lines(out, "         ", check->hint);
+}
+
+static void print_bar(double share, FILE *out) {
+    int full = (int)(share * BAR + 1e-9);
+    fputc('[', out);
+    for (int i = 0; i < BAR; i++)
+        fputc(i < full ? '#' : '.', out);
+    fputc(']', out);
+}
+
+static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
+    fprintf(out, "%sLab %s: %s%s\n", colors->bold, lab->id, lab->name, colors->end);
+    if (lab->message[0])
+        print_lines(out, "  ! ", lab->message);
+    if (lab->warnings[0])
+        print_lines(out, "  note: ", lab->warnings);
+    for (int c = 0; c < lab->check_count; c++)
+        print_check(&lab->checks[c], out, colors);
+    fputs("  ", out);
+    print_bar(lab->max_score > 0 ? lab->score / lab->max_score : 0, out);
+    fprintf(out, " %.2f of %.0f points, %s%s%s", lab->score, lab->max_score,
+            lab->status == LAB_PASSED ? colors->good : colors->bad, result_status_name(lab->status), colors->end);
+    if (lab->speed_ratio > 0)
+        fprintf(out, "; %.2f times the solution's time", lab->speed_ratio);
+    fputs("\n\n", out);
+}
+
+void report_text(const Report *report, FILE *out, bool color) {
+    const Colors colors =
+        color ? (Colors){"\033[32m", "\033[31m", "\033[2m", "\033[1m", "\033[0m"} : (Colors){"", "", "", "", ""};
+    for (int i = 0; i < report->lab_count; i++)
+        print_lab(&report->labs[i], out, &colors);
+    fprintf(out, "%s%.2f of %.0f points%s (seed %llu, %s, %.1f s)\n", colors.bold, result_score(report),
+            result_max_score(report), colors.end, (unsigned long long)report->seed, report->context, report->seconds);
+}

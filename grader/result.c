@@ -1,0 +1,42 @@
+#include "result.h"
+
+#include "check.h"
+
+#include <math.h>
+
+const char *result_status_name(LabStatus status) {
+    static const char *const names[] = {"passed", "failed", "error", "timeout"};
+    return names[status];
+}
+
+double result_points(const CheckResult *check) {
+    return round(check->share * check->check->points * 100) / 100;
+}
+
+double result_score(const Report *report) {
+    double score = 0;
+    for (int i = 0; i < report->lab_count; i++)
+        score += report->labs[i].score;
+    return score;
+}
+
+double result_max_score(const Report *report) {
+    double score = 0;
+    for (int i = 0; i < report->lab_count; i++)
+        score += report->labs[i].max_score;
+    return score;
+}
+
+void result_destroy_lab(LabResult *lab) {
+    for (int c = 0; c < lab->check_count; c++)
+        for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
+            image_destroy(&lab->checks[c].yours[n]);
+}
+
+void result_clean(char *clean, size_t size, const char *text) {
+    clean[0] = '\0';
+    for (; *text; text++) {
+        unsigned char c = (unsigned char)*text;
+        check_append(clean, size, (c >= ' ' && c < 0x7f) || c == '\n' || c == '\t' ? "%c" : "\\x%02x", c);
+    }
+}

@@ -1,0 +1,33 @@
+// The one annotated source of a lab. In C and GLSL:
+//
+//     #ifdef SOLUTION // 3.1
+//         the answer to task 3.1
+//     #else
+//         TODO(3.1) and a stub
+//     #endif
+//
+// From it come the solution (every task solved), the skeleton (none) and everything between. Plain text, no files.
+#pragma once
+
+#include <stdbool.h>
+
+typedef struct Solved {
+    enum { SOLVED_ALL, SOLVED_NONE, SOLVED_ALL_BUT, SOLVED_UP_TO } which;
+    const char *task; // of the last two; "3" stands for all tasks of lab 03
+} Solved;
+
+// One replacement of a text that must stand exactly once in its file.
+typedef struct Edit {
+    const char *file, *find, *replace;
+} Edit;
+
+// Returns `text` with each marked block reduced to one half; NULL with a message that names `name` and line when the
+// markers do not fit together. With keep_lines the dropped lines stay as empty ones, so that line numbers are true.
+// The caller frees the result.
+char *source_select(const char *name, const char *text, Solved solved, bool keep_lines);
+
+// Returns `text` with the edit applied; NULL with a message when edit->find is not there exactly once.
+char *source_edit(const char *text, const Edit *edit);
+
+// Calls visit for the task id of each marked block, in order.
+void source_tasks(const char *text, void (*visit)(const char *task, void *context), void *context);

@@ -1,0 +1,17 @@
+// Shows a lab's intermediate texture as a picture.
+#pragma once
+
+#include "program.h"
+#include "target.h"
+
+#include <stdbool.h>
+
+typedef struct StageView {
+    Program program;
+    GLuint sampler; // nearest, without depth comparison, whatever the lab has set on its texture
+} StageView;
+
+bool stage_view_create(StageView *view);
+
+// Fills `target` with the texture: colour as it is, depth as grey. Magenta when there is no such 2D texture.
+void stage_view_draw(const StageView *view, const Target *target, GLuint texture);

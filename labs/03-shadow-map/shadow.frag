@@ -1,0 +1,34 @@
+#version 410 core
+// The scene with the shadow of light 0.
+
+#include "lighting.glsl"
+
+in vec3 v_position_world;
+in vec3 v_normal_world;
+
+uniform sampler2D u_shadow_map;       // depths in [0, 1] as the light sees them
+uniform mat4 u_light_clip_from_world; // the matrix with which the map was drawn
+
+out vec4 o_color;
+
+// 1 where light 0 reaches the point, 0 in its shadow.
+float visibility(vec3 position_world)
+{
+    vec4 position_light_clip = u_light_clip_from_world * vec4(position_world, 1.0);
+    // TODO(3.8): a spot light shines forwards only: a point behind it (w <= 0) gets no light. Return 0.
+    // TODO(3.5): from clip space to the map: divide by w, then bring [-1, 1] to [0, 1].
+    vec3 position_map = vec3(0.0);
+    // TODO(3.7): a point beyond the far plane of the light (z > 1) is lit: return 1.
+    // TODO(3.5), second part: read the map's depth at position_map.xy. If it is less than position_map.z, something
+    // stands between the light and this point: return 0.
+    return 1.0;
+}
+
+void main()
+{
+    vec3 ambient = phong_ambient();
+    vec3 diffuse_specular = phong_diffuse_specular(0, v_position_world, v_normal_world);
+    float lit = visibility(v_position_world);
+    // TODO(3.9): a shadow takes the diffuse and specular light away and leaves the ambient light.
+    o_color = vec4(ambient + diffuse_specular, 1.0);
+}
