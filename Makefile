@@ -17,7 +17,8 @@ COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(BUILD)/glad/gl.o $(BUILD)/glad/egl.o
 TOOLS := grade frame skeletons prove
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out grader/worker.c grader/stage_view.c $(TOOLS:%=grader/%.c),$(wildcard grader/*.c)))
-NO_GL := $(patsubst %,$(BUILD)/common/%.o,check random image mesh scene scenes context_kind)
+NO_GL := $(patsubst %,$(BUILD)/common/%.o,check random image mesh scene scene_parts scenes context_kind) \
+	$(patsubst %.c,$(BUILD)/%.o,$(wildcard common/scenes_*.c))
 WORKER := $(BUILD)/grader/worker.o $(BUILD)/grader/stage_view.o
 
 all: $(BUILD)/worker $(TOOLS:%=$(BUILD)/%)

@@ -80,7 +80,7 @@ static void set_light(const Program *program, const Light *light, int i) {
     glUniform1i(program_find(program, name), light->kind == LIGHT_DIRECTIONAL);
 }
 
-static void set_frame_uniforms(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye) {
+void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye) {
     const Scene *scene = frame->scene;
     glUseProgram(program->id);
     glUniformMatrix4fv(program_find(program, "u_clip_from_world"), 1, GL_FALSE, &clip_from_world.raw[0][0]);
@@ -104,11 +104,15 @@ static void draw_object(const Object *object, const Program *program) {
     glDrawElements(GL_TRIANGLES, model->index_count, GL_UNSIGNED_INT, NULL);
 }
 
-void draw_scene(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye) {
-    set_frame_uniforms(frame, program, clip_from_world, eye);
+void draw_objects(const Frame *frame, const Program *program) {
     for (int i = 0; i < frame->scene->object_count; i++)
         draw_object(&frame->scene->objects[i], program);
     glBindVertexArray(0);
+}
+
+void draw_scene(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye) {
+    draw_begin(frame, program, clip_from_world, eye);
+    draw_objects(frame, program);
 }
 
 void draw_fullscreen(const Program *program) {

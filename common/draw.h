@@ -29,10 +29,16 @@ void draw_to_frame(const Frame *frame);
 // The matrix of the frame's camera, for a picture of the frame's size.
 mat4s draw_clip_from_world(const Frame *frame);
 
-// Draws all objects. Sets, where the program has them: u_clip_from_world, the uniforms of shaders/scene.vert and
-// shaders/lighting.glsl (with `eye` as the place of the viewer, for highlights) and u_is_screen. Other uniforms keep
-// what the lab gave them.
+// Draws all objects: draw_begin and draw_objects.
 void draw_scene(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
+
+// Uses the program and sets, where it has them: u_clip_from_world and the uniforms of shaders/lighting.glsl that belong
+// to the frame, with `eye` as the place of the viewer (for highlights). Others keep what the lab gave them.
+void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
+
+// Draws all objects with the program in use; sets what belongs to an object: u_world_from_object, u_color, u_specular,
+// u_shininess, u_is_screen.
+void draw_objects(const Frame *frame, const Program *program);
 
 // Draws one triangle that covers the viewport; for shaders/fullscreen.vert, which passes v_uv on. The caller turns the
 // depth test off where it is not wanted.

@@ -8,6 +8,7 @@
 #include "mathx.h"
 #include "program.h"
 #include "scene.h"
+#include "shadow_map.h"
 #include "target.h"
 
 #include <stdbool.h>

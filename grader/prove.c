@@ -39,7 +39,7 @@ static Solved solved_of(Kind kind) {
 
 static void note(Row *row, const char *text) {
     if (!row->other[0])
-        snprintf(row->other, sizeof row->other, "%s", text);
+        snprintf(row->other, sizeof row->other, "%.120s", text);
 }
 
 // Is the mistake named in a failed check, and nothing else in any?

@@ -1,0 +1,35 @@
+// What scenes are built from, and the tables that hold them (one file a topic).
+#pragma once
+
+#include "scene.h"
+
+// Ends with an entry without a name.
+typedef struct SceneMaker {
+    const char *name;
+    void (*make)(Scene *scene, Random *random);
+} SceneMaker;
+
+extern const SceneMaker scenes_table[]; // scenes_table.c: a table with two casters; framebuffers and shadow maps
+
+vec3s part_color(Random *random);
+
+// A point at `distance` from `target`: azimuth about +y from +z, elevation above the horizon, in degrees.
+vec3s part_orbit(vec3s target, float azimuth, float elevation, float distance);
+
+// An empty scene with a camera that looks down at the origin, and colours.
+void part_begin(Scene *scene, Random *random);
+
+// An object turned about +y by `turn` degrees.
+Object *part_object(Scene *scene, Shape shape, vec3s center, vec3s half_size, float turn, vec3s color);
+
+// A square floor at y = 0 without highlights.
+Object *part_floor(Scene *scene, float half_size, Random *random);
+
+Light *part_light(Scene *scene, LightKind kind, vec3s position, vec3s target);
+
+// A place for a light above the origin: behind the casters as the camera sees them, left or right, so that shadows fall
+// towards it. Elevations in degrees.
+vec3s part_above(Random *random, float lowest, float highest, float distance);
+
+// A box on the floor and a sphere above it, a little apart.
+void part_casters(Scene *scene, Random *random);
