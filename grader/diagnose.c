@@ -16,7 +16,7 @@ enum { MAX_MISTAKES = 40 };
 
 // Sums of distances over the frames of a check.
 typedef struct Distances {
-    double to_reference, to_null;
+    double to_reference, to_without, to_skeleton;
     double to_mistake[MAX_MISTAKES];
 } Distances;
 
@@ -30,7 +30,8 @@ static void measure_ours(Distances *distances, const CheckResult *check, const V
     *distances = (Distances){0};
     for (int n = 0; n < check->check->variants; n++) {
         distances->to_reference += score_rmse(&check->yours[n], &variants[n].reference);
-        distances->to_null += score_rmse(&check->yours[n], &variants[n].without);
+        distances->to_without += score_rmse(&check->yours[n], &variants[n].without);
+        distances->to_skeleton += score_rmse(&check->yours[n], &variants[n].skeleton);
     }
 }
 
@@ -90,15 +91,15 @@ static int find_own(const Check *check, const Distances *distances, const Rubric
 static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam) {
     const Rubric *rubric = exam->rubric;
     int own = common >= 0 ? common : find_own(check->check, distances, rubric);
-    if (distances->to_null == 0 && common < 0) {
-        char text[128];
-        snprintf(text, sizeof text, "task %s is not done", check->check->task);
+    char text[128];
+    if (common < 0 && (distances->to_without == 0 || distances->to_skeleton == 0)) {
+        bool alone = distances->to_without == 0;
+        snprintf(text, sizeof text, "task %s%s is not done", check->check->task, alone ? "" : " or one before it");
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
     } else if (own >= 0) {
         name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
     } else {
         const Variant *variant = &exam->variants[check->check - rubric->checks][check->worst];
-        char text[128];
         error_kind(text, sizeof text, &check->yours[check->worst], &variant->reference);
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
     }

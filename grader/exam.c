@@ -67,7 +67,6 @@ static bool draw_variant(Variant *variant, const Painters *painters, char render
         !roster_draw(painters->without, &variant->request, &variant->without, &reply) ||
         !roster_draw(painters->solution, &variant->request, &variant->reference, &reply))
         return false;
-    variant->reference_ms = exam_milliseconds(&reply);
     memcpy(renderer, reply.renderer, sizeof reply.renderer);
     return reply.drawn || check_fail("our own solution in %s draws nothing: %s", painters->solution->folder,
                                      reply.message);

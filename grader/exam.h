@@ -12,7 +12,6 @@ enum { EXAM_MAX_VARIANTS = 8 };
 typedef struct Variant {
     Request request;
     Image reference, without, skeleton;
-    float reference_ms; // CPU time of the solution's passes
 } Variant;
 
 typedef struct Exam {

@@ -96,7 +96,7 @@ static bool run_row(Row *row, const Exam *exam, Roster *roster) {
     if (!contender)
         return false;
     grade_begin(&result, exam->rubric);
-    grade_frames(&result, exam, contender);
+    grade_frames(&result, exam, contender, roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL));
     bool ok = diagnose(&result, exam, roster);
     double percent = 100 * result.score / result.max_score;
     if (row->seeds == 0 || percent < row->lowest)

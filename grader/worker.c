@@ -132,7 +132,7 @@ static bool ensure_created(const Request *request, Frame *frame) {
 
 static float cpu_milliseconds(void) {
     struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now); // that of the process ticks coarsely under RLIMIT_CPU
     return (float)((double)(now.tv_sec % 100000) * 1e3 + (double)now.tv_nsec / 1e6);
 }
 
