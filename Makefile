@@ -1,27 +1,72 @@
-# Shadow Lab. `make help` lists the targets; README.md tells the rest.
+# Shadow Lab. README.md tells how to use it; `make help` lists the targets.
 MAKEFLAGS += --no-builtin-rules
-CC ?= gcc
-ifeq ($(origin CC),default)
+SHELL := /bin/bash
 CC := gcc
-endif
 BUILD ?= build
-SANITIZE ?=
-PACKAGES := libpng jansson
-WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Werror
 CFLAGS ?= -O2 -g
-ALL_CFLAGS := $(WARNINGS) $(CFLAGS) $(SANITIZE) -D_GNU_SOURCE -DCGLM_ALL_UNALIGNED -Icommon -Igrader \
-	-isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES) 2>/dev/null) -MMD -MP
-LIBS := $(shell pkg-config --libs $(PACKAGES) 2>/dev/null) -lm -ldl
+SANITIZE ?=
+LAB ?=
+SUBMISSION ?= labs
+ARGS ?=
 
-COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
-GLAD := $(BUILD)/glad/gl.o $(BUILD)/glad/egl.o
+PACKAGES := libpng jansson
+ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -D_GNU_SOURCE -DCGLM_ALL_UNALIGNED \
+	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
+LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
+
 TOOLS := grade frame skeletons prove
-GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out grader/worker.c grader/stage_view.c $(TOOLS:%=grader/%.c),$(wildcard grader/*.c)))
-NO_GL := $(patsubst %,$(BUILD)/common/%.o,check random image mesh scene scene_parts scenes context_kind) \
-	$(patsubst %.c,$(BUILD)/%.o,$(wildcard common/scenes_*.c))
-WORKER := $(BUILD)/grader/worker.o $(BUILD)/grader/stage_view.o
+WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker stage_view)
+GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out grader/worker.c grader/stage_view.c $(TOOLS:%=grader/%.c),\
+	$(wildcard grader/*.c)))
+COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
+GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
+# The floor of common/ without GL, which the grader stands on.
+NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,context context_egl context_osmesa draw gl program \
+	shadow_map target),$(COMMON))
+TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 
-all: $(BUILD)/worker $(TOOLS:%=$(BUILD)/%)
+build: $(BUILD)/worker $(TOOLS:%=$(BUILD)/%) ## build everything (default)
+
+grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
+	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
+
+demo: build ## grade the labs as shipped, then the solutions
+	-$(BUILD)/grade labs
+	$(BUILD)/grade solutions
+
+hint: build ## show the hints of a task: make hint TASK=3.2
+	@grader/hint $(TASK)
+
+skeletons: build ## make labs/ from solutions/
+	@$(BUILD)/skeletons labs
+
+pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
+	@grader/pictures $(LAB)
+
+table: build ## prove the rubrics and put the table into grader/README.md
+	@grader/table
+
+test: build $(TESTS) ## run all tests
+	@grader/tests/run $(BUILD)
+
+check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
+	@grader/gates $(BUILD)
+
+bench: build ## where the grader's time goes, for one lab
+	@grader/bench $(BUILD)
+
+compile_commands.json: ## for editors and clang-tidy (needs bear)
+	bear -- $(MAKE) -B build
+
+reset: ## put a lab of labs/ back to the skeleton: make reset LAB=03
+	@grader/reset $(LAB)
+
+clean: ## remove what was built
+	rm -rf $(BUILD)
+
+help: ## list the targets
+	@grep -hE '^[a-z_.]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z_.]+):.*## /\1\t/' | expand -t 24
+
 $(BUILD)/include/glad/gl.h:
 	glad --quiet --reproducible --out-path $(BUILD)/glad --api gl:core=4.1 --extensions '' c --debug
 	glad --quiet --reproducible --out-path $(BUILD)/glad --api egl=1.5 \
@@ -29,11 +74,17 @@ $(BUILD)/include/glad/gl.h:
 	mkdir -p $(BUILD)/include && cp -r $(BUILD)/glad/include/. $(BUILD)/include
 $(BUILD)/glad/%.o: $(BUILD)/include/glad/gl.h
 	$(CC) -O1 -w -I$(BUILD)/include -c -o $@ $(BUILD)/glad/src/$*.c
-$(BUILD)/%.o: %.c $(BUILD)/include/glad/gl.h
+$(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
+$(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o $(GRADER) $(NO_GL)
+	@mkdir -p $(@D)
+	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
+
+.PHONY: build grade demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.SECONDARY:
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -92,8 +92,10 @@ static bool draw_one(LabResult *result, Client *student, const Variant *variant,
 static void add_ratio(Ratios *ratios, float milliseconds, const Variant *variant, Client *solution) {
     static Reply reply;
     Image again = {0};
-    if (milliseconds > 0 && client_draw(solution, &variant->request, &again, &reply) == DRAW_OK &&
-        exam_milliseconds(&reply) > 0)
+    bool ok = milliseconds > 0;
+    for (int i = 0; ok && i < 2; i++) // the student's worker has just drawn a frame of this size, too
+        ok = client_draw(solution, &variant->request, &again, &reply) == DRAW_OK;
+    if (ok && exam_milliseconds(&reply) > 0)
         ratios->values[ratios->count++] = milliseconds / exam_milliseconds(&reply);
     image_destroy(&again);
 }

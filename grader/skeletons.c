@@ -1,5 +1,5 @@
-// skeletons OUTPUT: writes the labs for students, made from solutions/: each file that the rubric lists with every task
-// left to do, the handout and its pictures. What is unchanged is not rewritten.
+// skeletons OUTPUT: writes the labs for students, made from solutions/: each source with every task
+// left to do, the handout and its pictures, and nothing else. What is unchanged is not rewritten.
 #include "check.h"
 #include "derive.h"
 #include "home.h"
@@ -63,7 +63,7 @@ static bool write_skeleton(const char *from, const char *to) {
 static void write_file(const char *name, void *context) {
     Job *job = context;
     char from[FILES_PATH], to[FILES_PATH];
-    if (!job->ok || ends_with(name, ".json"))
+    if (!job->ok || ends_with(name, ".json") || strcmp(name, "pictures") == 0)
         return;
     files_join(from, job->from, name);
     files_join(to, job->to, name);
