@@ -9,7 +9,13 @@ typedef struct SceneMaker {
     void (*make)(Scene *scene, Random *random);
 } SceneMaker;
 
-extern const SceneMaker scenes_table[]; // scenes_table.c: a table with two casters; framebuffers and shadow maps
+extern const SceneMaker scenes_shading[];   // scenes_shading.c: shapes under light, no shadow
+extern const SceneMaker scenes_table[];     // a table with two casters: framebuffers and shadow maps
+extern const SceneMaker scenes_bias[];      // grazing light, thin walls, a wall on the floor
+extern const SceneMaker scenes_filter[];    // edges of shadows
+extern const SceneMaker scenes_random[];    // wide penumbrae, what an early-out misses
+extern const SceneMaker scenes_volumes[];   // closed casters, an eye in the shadow
+extern const SceneMaker scenes_occlusion[]; // corners and contacts under a wide sky
 
 vec3s part_color(Random *random);
 

@@ -6,7 +6,7 @@
 #include <string.h>
 
 static const SceneMaker *const tables[] = {
-    scenes_table,
+    scenes_shading, scenes_table, scenes_bias, scenes_filter, scenes_random, scenes_volumes, scenes_occlusion,
 };
 
 enum { TABLE_COUNT = sizeof tables / sizeof tables[0] };

@@ -1,0 +1,5 @@
+#include "scene_parts.h"
+
+const SceneMaker scenes_filter[] = {
+    {0},
+};
