@@ -3,8 +3,8 @@
 
 static void make_studio(Scene *scene, Random *random) {
     part_begin(scene, random);
-    part_floor(scene, 6, random);
     part_casters(scene, random);
+    part_floor(scene, 6, random); // last, so that it hides the rest where the depth test is missing
     part_light(scene, LIGHT_DIRECTIONAL, part_above(random, 45, 65, 10), vec3_make(0, 0, 0));
     scene->camera.target.y = 0.9f;
     Object *screen = part_object(scene, SHAPE_PLANE, vec3_make(0, 1.6f, -2), vec3_make(2, 1, 1.2f), 0,

@@ -12,12 +12,10 @@
 // A picture belongs to a mistake when it is this much nearer to the mistake's picture than to the reference.
 static const double NEAR = 0.2;
 
-enum { MAX_MISTAKES = 40 };
-
 // Sums of distances over the frames of a check.
 typedef struct Distances {
     double to_reference, to_without, to_skeleton;
-    double to_mistake[MAX_MISTAKES];
+    double to_mistake[EXAM_MAX_MISTAKES];
 } Distances;
 
 static void name_cause(CheckResult *check, const char *mistake, const char *hint) {
@@ -35,17 +33,14 @@ static void measure_ours(Distances *distances, const CheckResult *check, const V
     }
 }
 
-static bool measure_mistake(Distances *distances, int m, const CheckResult *check, const Variant *variants,
-                            Client *mistaken) {
-    static Reply reply;
-    Image theirs = {0};
-    bool ok = true;
-    for (int n = 0; ok && n < check->check->variants; n++) {
-        ok = roster_draw(mistaken, &variants[n].request, &theirs, &reply);
-        distances->to_mistake[m] += score_rmse(&check->yours[n], &theirs);
+static bool measure_mistake(Distances *distances, int m, const LabResult *result, int c, Exam *exam, Roster *roster) {
+    for (int n = 0; n < result->checks[c].check->variants; n++) {
+        const Image *theirs = exam_mistake(exam, roster, m, c, n);
+        if (!theirs)
+            return false;
+        distances->to_mistake[m] += score_rmse(&result->checks[c].yours[n], theirs);
     }
-    image_destroy(&theirs);
-    return ok;
+    return true;
 }
 
 static bool wants_cause(const CheckResult *check) {
@@ -105,27 +100,34 @@ static void explain(CheckResult *check, const Distances *distances, int common, 
     }
 }
 
-bool diagnose(LabResult *result, const Exam *exam, Roster *roster) {
+static bool measure_mistakes(Distances *distances, const LabResult *result, Exam *exam, Roster *roster) {
     const Rubric *rubric = exam->rubric;
+    INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);
+    for (int m = 0; m < rubric->mistake_count; m++) // start them all, so that they load side by side
+        if (!roster_get(roster, (Solved){SOLVED_ALL, NULL}, &rubric->mistakes[m]))
+            return false;
+    for (int m = 0; m < rubric->mistake_count; m++)
+        for (int c = 0; c < result->check_count; c++)
+            if (wants_cause(&result->checks[c]) && !measure_mistake(&distances[c], m, result, c, exam, roster))
+                return false;
+    return true;
+}
+
+bool diagnose(LabResult *result, Exam *exam, Roster *roster) {
     static Distances distances[RUBRIC_MAX_CHECKS];
-    bool wanted = false, ok = true;
-    INVARIANT(rubric->mistake_count <= MAX_MISTAKES);
+    bool wanted = false;
     for (int c = 0; c < result->check_count; c++)
         if (wants_cause(&result->checks[c])) {
             measure_ours(&distances[c], &result->checks[c], exam->variants[c]);
             wanted = true;
         }
-    for (int m = 0; wanted && ok && m < rubric->mistake_count; m++) // start them all, so that they load side by side
-        ok = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &rubric->mistakes[m]) != NULL;
-    for (int m = 0; wanted && ok && m < rubric->mistake_count; m++) {
-        Client *mistaken = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &rubric->mistakes[m]);
-        for (int c = 0; ok && c < result->check_count; c++)
-            if (wants_cause(&result->checks[c]))
-                ok = measure_mistake(&distances[c], m, &result->checks[c], exam->variants[c], mistaken);
-    }
-    int common = wanted && ok ? find_common(result, distances, rubric->mistake_count) : -1;
-    for (int c = 0; ok && c < result->check_count; c++)
+    if (!wanted)
+        return true;
+    if (!measure_mistakes(distances, result, exam, roster))
+        return false;
+    int common = find_common(result, distances, exam->rubric->mistake_count);
+    for (int c = 0; c < result->check_count; c++)
         if (wants_cause(&result->checks[c]))
             explain(&result->checks[c], &distances[c], common, exam);
-    return ok;
+    return true;
 }

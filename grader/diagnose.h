@@ -8,4 +8,4 @@
 
 // Fills mistake and hint of each failed check of which frames were drawn. False with a message when one of our own
 // workers fails.
-bool diagnose(LabResult *result, const Exam *exam, Roster *roster);
+bool diagnose(LabResult *result, Exam *exam, Roster *roster);

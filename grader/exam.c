@@ -115,11 +115,22 @@ bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed
     return true;
 }
 
+const Image *exam_mistake(Exam *exam, Roster *roster, int m, int c, int n) {
+    static Reply reply;
+    Image *image = &exam->mistakes[m][c][n];
+    if (image->rgba)
+        return image;
+    Client *mistaken = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &exam->rubric->mistakes[m]);
+    return mistaken && roster_draw(mistaken, &exam->variants[c][n].request, image, &reply) ? image : NULL;
+}
+
 void exam_destroy(Exam *exam) {
     for (int c = 0; c < RUBRIC_MAX_CHECKS; c++)
         for (int n = 0; n < EXAM_MAX_VARIANTS; n++) {
             image_destroy(&exam->variants[c][n].reference);
             image_destroy(&exam->variants[c][n].without);
             image_destroy(&exam->variants[c][n].skeleton);
+            for (int m = 0; m < EXAM_MAX_MISTAKES; m++)
+                image_destroy(&exam->mistakes[m][c][n]);
         }
 }
