@@ -15,8 +15,8 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -D_
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
 TOOLS := grade frame skeletons prove
-WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker stage_view)
-GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out grader/worker.c grader/stage_view.c $(TOOLS:%=grader/%.c),\
+WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view)
+GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c)))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)

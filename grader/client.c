@@ -33,7 +33,7 @@ bool client_start(Client *client) {
                                  .cpu_seconds = (unsigned)client->seconds + 1,
                                  .memory_mib = limits_memory ? MEMORY_MIB : 0,
                                  .file_mib = 1};
-    client->started = process_start(&client->process, arguments, environment, client->folder, &limits);
+    client->started = process_start(&client->process, arguments, environment, ours ? "/" : client->folder, &limits);
     return client->started;
 }
 
@@ -83,7 +83,7 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
         result = explain_end(client, reply->message, sizeof reply->message);
     }
     if (reply->message[0])
-        compile_locate(client->folder, reply->message, sizeof reply->message);
+        compile_locate(client->trust == TRUST_OURS ? request->folder : client->folder, reply->message, sizeof reply->message);
     return result;
 }
 

@@ -15,7 +15,7 @@ typedef enum Trust {
 } Trust;
 
 typedef struct Client {
-    char folder[FILES_PATH]; // holds lab.so and the lab's shaders
+    char folder[FILES_PATH]; // holds lab.so and the lab's shaders; "-" for a worker of several labs of ours
     Trust trust;
     ContextKind context;
     double seconds; // wall and processor time that a submission may use
@@ -31,7 +31,7 @@ typedef enum DrawResult {
 } DrawResult;
 
 // Draws one frame; starts the worker first when it does not run. A lost worker stays lost. `image` is created at the
-// size of the request when it has another one.
+// size of the request when it has another one. A worker of several labs looks at request->folder.
 DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply);
 
 // Starts the worker without waiting for it, so that several start side by side. False: no process can be started.

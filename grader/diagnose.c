@@ -83,11 +83,16 @@ static int find_own(const Check *check, const Distances *distances, const Rubric
     return best;
 }
 
+// Is the picture still the one before the task?
+static bool untouched(const Distances *distances) {
+    return distances->to_without == 0 || distances->to_skeleton == 0;
+}
+
 static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam) {
     const Rubric *rubric = exam->rubric;
     int own = common >= 0 ? common : find_own(check->check, distances, rubric);
     char text[128];
-    if (common < 0 && (distances->to_without == 0 || distances->to_skeleton == 0)) {
+    if (common < 0 && untouched(distances)) {
         bool alone = distances->to_without == 0;
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task, alone ? "" : " or one before it");
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
@@ -103,9 +108,6 @@ static void explain(CheckResult *check, const Distances *distances, int common, 
 static bool measure_mistakes(Distances *distances, const LabResult *result, Exam *exam, Roster *roster) {
     const Rubric *rubric = exam->rubric;
     INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);
-    for (int m = 0; m < rubric->mistake_count; m++) // start them all, so that they load side by side
-        if (!roster_get(roster, (Solved){SOLVED_ALL, NULL}, &rubric->mistakes[m]))
-            return false;
     for (int m = 0; m < rubric->mistake_count; m++)
         for (int c = 0; c < result->check_count; c++)
             if (wants_cause(&result->checks[c]) && !measure_mistake(&distances[c], m, result, c, exam, roster))
@@ -115,17 +117,18 @@ static bool measure_mistakes(Distances *distances, const LabResult *result, Exam
 
 bool diagnose(LabResult *result, Exam *exam, Roster *roster) {
     static Distances distances[RUBRIC_MAX_CHECKS];
-    bool wanted = false;
+    bool wanted = false, touched = false;
     for (int c = 0; c < result->check_count; c++)
         if (wants_cause(&result->checks[c])) {
             measure_ours(&distances[c], &result->checks[c], exam->variants[c]);
             wanted = true;
+            touched = touched || !untouched(&distances[c]);
         }
     if (!wanted)
         return true;
-    if (!measure_mistakes(distances, result, exam, roster))
+    if (touched && !measure_mistakes(distances, result, exam, roster))
         return false;
-    int common = find_common(result, distances, exam->rubric->mistake_count);
+    int common = touched ? find_common(result, distances, exam->rubric->mistake_count) : -1;
     for (int c = 0; c < result->check_count; c++)
         if (wants_cause(&result->checks[c]))
             explain(&result->checks[c], &distances[c], common, exam);

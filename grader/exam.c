@@ -58,14 +58,15 @@ static bool acceptable(const Variant *variants, int n) {
 }
 
 typedef struct Painters {
-    Client *solution, *skeleton, *without;
+    Roster *roster;
+    const Painter *solution, *skeleton, *without;
 } Painters;
 
 static bool draw_variant(Variant *variant, const Painters *painters, char renderer[128]) {
     static Reply reply;
-    if (!roster_draw(painters->skeleton, &variant->request, &variant->skeleton, &reply) ||
-        !roster_draw(painters->without, &variant->request, &variant->without, &reply) ||
-        !roster_draw(painters->solution, &variant->request, &variant->reference, &reply))
+    if (!roster_draw(painters->roster, painters->skeleton, &variant->request, &variant->skeleton, &reply) ||
+        !roster_draw(painters->roster, painters->without, &variant->request, &variant->without, &reply) ||
+        !roster_draw(painters->roster, painters->solution, &variant->request, &variant->reference, &reply))
         return false;
     memcpy(renderer, reply.renderer, sizeof reply.renderer);
     return reply.drawn || check_fail("our own solution in %s draws nothing: %s", painters->solution->folder,
@@ -98,16 +99,11 @@ bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed
     memset(exam, 0, sizeof *exam);
     exam->rubric = rubric;
     exam->seed = seed;
-    for (int c = 0; c < rubric->check_count; c++) { // start them all, so that they load side by side
-        Solved without = {SOLVED_ALL_BUT, rubric->checks[c].task};
-        if (!roster_get(roster, without, NULL))
-            return false;
-    }
     for (int c = 0; c < rubric->check_count; c++) {
-        Painters painters = {roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL),
+        Painters painters = {roster, roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL),
                              roster_get(roster, (Solved){SOLVED_NONE, NULL}, NULL),
                              roster_get(roster, (Solved){SOLVED_ALL_BUT, rubric->checks[c].task}, NULL)};
-        if (!painters.solution || !painters.skeleton || !create_check(exam, c, &painters)) {
+        if (!painters.solution || !painters.skeleton || !painters.without || !create_check(exam, c, &painters)) {
             exam_destroy(exam);
             return false;
         }
@@ -120,8 +116,8 @@ const Image *exam_mistake(Exam *exam, Roster *roster, int m, int c, int n) {
     Image *image = &exam->mistakes[m][c][n];
     if (image->rgba)
         return image;
-    Client *mistaken = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &exam->rubric->mistakes[m]);
-    return mistaken && roster_draw(mistaken, &exam->variants[c][n].request, image, &reply) ? image : NULL;
+    const Painter *mistaken = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &exam->rubric->mistakes[m]);
+    return mistaken && roster_draw(roster, mistaken, &exam->variants[c][n].request, image, &reply) ? image : NULL;
 }
 
 void exam_destroy(Exam *exam) {

@@ -118,8 +118,8 @@ static bool draw(Options *options, const Rubric *rubric, const char *path) {
     Random random = {options->seed};
     const Change *change = options->mistake ? find_mistake(rubric, options->mistake) : NULL;
     bool ok = (change || !options->mistake) && scene_make(&options->request.scene, options->scene, &random);
-    Client *client = ok ? roster_get(&roster, options->solved, change) : NULL;
-    ok = client && roster_draw(client, &options->request, &image, &reply);
+    const Painter *painter = ok ? roster_get(&roster, options->solved, change) : NULL;
+    ok = painter && roster_draw(&roster, painter, &options->request, &image, &reply);
     if (ok && reply.message[0])
         fprintf(stderr, "frame: %s\n", reply.message);
     ok = ok && (reply.drawn || check_fail("nothing was drawn")) && image_write_png(&image, path);

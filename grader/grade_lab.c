@@ -89,18 +89,19 @@ static bool draw_one(LabResult *result, Client *student, const Variant *variant,
 }
 
 // The first frame of a check pays for what the driver compiles late: the last one is compared.
-static void add_ratio(Ratios *ratios, float milliseconds, const Variant *variant, Client *solution) {
+static void add_ratio(Ratios *ratios, float milliseconds, const Variant *variant, Roster *roster) {
     static Reply reply;
     Image again = {0};
-    bool ok = milliseconds > 0;
+    const Painter *solution = roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL);
+    bool ok = solution && milliseconds > 0;
     for (int i = 0; ok && i < 2; i++) // the student's worker has just drawn a frame of this size, too
-        ok = client_draw(solution, &variant->request, &again, &reply) == DRAW_OK;
+        ok = roster_draw(roster, solution, &variant->request, &again, &reply);
     if (ok && exam_milliseconds(&reply) > 0)
         ratios->values[ratios->count++] = milliseconds / exam_milliseconds(&reply);
     image_destroy(&again);
 }
 
-void grade_frames(LabResult *result, const Exam *exam, Client *student, Client *solution) {
+void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster) {
     Ratios ratios = {0};
     bool alive = true;
     for (int c = 0; c < result->check_count; c++) {
@@ -108,7 +109,8 @@ void grade_frames(LabResult *result, const Exam *exam, Client *student, Client *
         float milliseconds = 0;
         for (int n = 0; alive && n < check->check->variants; n++)
             alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &milliseconds);
-        add_ratio(&ratios, milliseconds, &exam->variants[c][check->check->variants - 1], solution);
+        if (roster)
+            add_ratio(&ratios, milliseconds, &exam->variants[c][check->check->variants - 1], roster);
         score_check(check, exam->variants[c]);
         result->score += result_points(check);
     }
@@ -165,7 +167,7 @@ static bool examine(LabResult *result, const Rubric *rubric, Client *student, co
     bool ok = exam_create(exam, rubric, roster, options->seed);
     if (ok) {
         memcpy(renderer, exam->renderer, sizeof exam->renderer);
-        grade_frames(result, exam, student, roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL));
+        grade_frames(result, exam, student, roster);
         ok = diagnose(result, exam, roster) &&
              (!options->output || report_evidence(result, exam, options->output));
         exam_destroy(exam);

@@ -17,8 +17,8 @@ typedef struct GradeOptions {
 void grade_begin(LabResult *result, const Rubric *rubric);
 
 // Draws the exam's frames with the student's worker and scores them; the frames stay in the result, which grade_begin
-// has prepared. The solution draws some again, in turn with the student, so that their times can be compared.
-void grade_frames(LabResult *result, const Exam *exam, Client *student, Client *solution);
+// has prepared. With a roster the solution draws some again, in turn with the student, to compare their times.
+void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster);
 
 // The whole way of one lab: takes the files from `submission`, compiles, draws, scores, names the mistakes. Everything
 // that a submission can do wrong ends in the result; false with a message is a fault of ours (could not grade).

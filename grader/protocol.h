@@ -11,7 +11,8 @@ enum {
     PROTOCOL_REQUESTS = 0, // the worker's descriptors
     PROTOCOL_REPLIES = 3,
     PROTOCOL_MAX_SIZE = 4096, // width and height
-    PROTOCOL_TEXT = 5000
+    PROTOCOL_TEXT = 5000,
+    PROTOCOL_PATH = 1024
 };
 
 // Views that are not a stage of the lab.
@@ -26,6 +27,7 @@ typedef struct KnobSetting {
 typedef struct Request {
     uint32_t magic;
     int32_t width, height;
+    char folder[PROTOCOL_PATH]; // of the lab, for a worker that was not given one
     char view[LAB_MAX_NAME]; // a view above or the name of a stage
     KnobSetting knobs[LAB_MAX_KNOBS];
     int32_t knob_count; // knobs not named keep their defaults

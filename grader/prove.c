@@ -24,6 +24,7 @@ typedef struct Row {
     const Change *change;
     double lowest, highest; // percent
     int right, seeds;       // runs graded as they should be
+    Client contender;       // a worker of its own, kept over the seeds
     char other[128];        // a diagnosis that was not the mistake's name, or a check that went wrong
 } Row;
 
@@ -92,11 +93,14 @@ static bool judge(const LabResult *result, Row *row, const Rubric *rubric) {
 // Grades one of ours as if it were a submission: by a worker of its own.
 static bool run_row(Row *row, Exam *exam, Roster *roster) {
     static LabResult result;
-    Client *contender = roster_get(roster, solved_of(row->kind), row->change);
-    if (!contender)
+    const Painter *painter = roster_get(roster, solved_of(row->kind), row->change);
+    if (!painter)
         return false;
+    row->contender.trust = TRUST_OURS;
+    row->contender.context = roster->context;
+    memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
     grade_begin(&result, exam->rubric);
-    grade_frames(&result, exam, contender, roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL));
+    grade_frames(&result, exam, &row->contender, NULL);
     bool ok = diagnose(&result, exam, roster);
     double percent = 100 * result.score / result.max_score;
     if (row->seeds == 0 || percent < row->lowest)
@@ -120,13 +124,14 @@ static int list_rows(Row *rows, const Rubric *rubric) {
     return count;
 }
 
-static void print_rows(const Row *rows, int count, const Rubric *rubric, Proof *proof) {
+static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof) {
     static const char *const kinds[] = {"solution", "skeleton", "mistake", "alternative"};
     for (int i = 0; i < count; i++) {
         const Row *row = &rows[i];
         bool right = row->right == row->seeds;
         proof->passed += right;
         proof->failed += !right;
+        client_stop(&rows[i].contender);
         printf("| %s | %s | %s | %.0f | %.0f | %s%s%s |\n", rubric->id, kinds[row->kind],
                row->change ? row->change->name : "", row->lowest, row->highest,
                right ? (row->kind == KIND_MISTAKE ? "named" : "as it should be") : "WRONG: ",

@@ -38,7 +38,7 @@ static bool same_size(const Image *a, const Image *b) {
 // Share of the mask's pixels that are wrong. One off by as much as the null picture, or by WHOLLY, is wholly wrong.
 static double error_inside(const Image *yours, const Image *reference, const Image *null_image) {
     double error = 0, pixels = 0;
-    for (size_t at = 0; at < image_bytes(reference); at += 4) {
+    for (size_t at = 0, end = image_bytes(reference); at < end; at += 4) {
         double null_error = score_pixel(null_image, reference, at);
         if (null_error == 0)
             continue;
@@ -92,16 +92,18 @@ double score_mask(const Image *reference, const Image *other) {
 double score_rmse(const Image *a, const Image *b) {
     if (!same_size(a, b))
         return 255;
-    double sum = 0;
-    for (size_t i = 0; i < image_bytes(a); i++)
-        if (i % 4 != 3)
-            sum += (a->rgba[i] - b->rgba[i]) * (a->rgba[i] - b->rgba[i]);
-    return sqrt(sum / ((double)image_bytes(a) * 0.75));
+    uint64_t sum = 0;
+    for (size_t at = 0, end = image_bytes(a); at < end; at += 4) {
+        int red = a->rgba[at] - b->rgba[at], green = a->rgba[at + 1] - b->rgba[at + 1];
+        int blue = a->rgba[at + 2] - b->rgba[at + 2];
+        sum += (unsigned)(red * red + green * green + blue * blue);
+    }
+    return sqrt((double)sum / ((double)image_bytes(a) * 0.75));
 }
 
 size_t score_count(const Image *a, const Image *b) {
     size_t count = 0;
-    for (size_t at = 0; at < image_bytes(a); at += 4)
+    for (size_t at = 0, end = image_bytes(a); at < end; at += 4)
         count += score_pixel(a, b, at) > 0;
     return count;
 }

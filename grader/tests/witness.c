@@ -29,9 +29,9 @@ Image witness_draw(const char *id, const Scene *scene, const char *view, int wid
         snprintf(request.knobs[i].name, sizeof request.knobs[i].name, "%s", knobs[i].name);
         request.knobs[i].value = knobs[i].value;
     }
-    Client *solution = roster_get(&roster, (Solved){SOLVED_ALL, NULL}, NULL);
+    const Painter *solution = roster_get(&roster, (Solved){SOLVED_ALL, NULL}, NULL);
     assert_non_null(solution);
-    assert_true(roster_draw(solution, &request, &image, &reply));
+    assert_true(roster_draw(&roster, solution, &request, &image, &reply));
     assert_string_equal(reply.message, "");
     roster_destroy(&roster);
     rubric_destroy(&rubric);
