@@ -1,9 +1,10 @@
-// A headless OpenGL 4.1 core context. Each route opens its library at run time, so neither is needed where the other
-// serves.
+// A headless OpenGL 4.1 core context. Each route opens its library at run time, so neither is needed where
+// the other serves.
 #pragma once
 
 #include "context_kind.h"
 
-// Creates the context, makes it current and loads GL. One per process; there is no default framebuffer to draw into.
+// Creates the context, makes it current and loads GL. One per process; there is no default framebuffer to
+// draw into.
 bool context_create(ContextKind kind);
 void context_destroy(void); // harmless when none was created

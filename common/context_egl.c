@@ -12,19 +12,24 @@ static EGLContext context;
 
 static bool open_display(void) {
     if (!gladLoaderLoadEGL(EGL_NO_DISPLAY))
-        return check_fail("EGL is not installed; install libegl1 and libgl1-mesa-dri or choose --context osmesa");
+        return check_fail(
+            "EGL is not installed; install libegl1 and libgl1-mesa-dri or choose --context osmesa");
     display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL) || !gladLoaderLoadEGL(display))
-        return check_fail("EGL has no surfaceless display; install libgl1-mesa-dri or choose --context osmesa");
+        return check_fail(
+            "EGL has no surfaceless display; install libgl1-mesa-dri or choose --context osmesa");
     return true;
 }
 
 bool context_egl_create(void) {
     if (!open_display())
         return false;
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,       4,
-                                 EGL_CONTEXT_MINOR_VERSION,       1,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 EGL_CONTEXT_MINOR_VERSION,
+                                 1,
+                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                  EGL_NONE};
     eglBindAPI(EGL_OPENGL_API);
     context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);

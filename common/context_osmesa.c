@@ -41,13 +41,22 @@ bool context_osmesa_create(void) {
     if (!library)
         library = dlopen("libOSMesa.so", RTLD_NOW | RTLD_LOCAL);
     if (!library)
-        return check_fail("OSMesa is not installed (%s); install libosmesa6 or choose --context egl", dlerror());
+        return check_fail("OSMesa is not installed (%s); install libosmesa6 or choose --context egl",
+                          dlerror());
     if (!find(&create, "OSMesaCreateContextAttribs") || !find(&make_current, "OSMesaMakeCurrent") ||
         !find(&load, "OSMesaGetProcAddress") || !find(&destroy_context, "OSMesaDestroyContext"))
         return false;
-    const int attributes[] = {
-        OSMESA_FORMAT,  GL_RGBA,             OSMESA_DEPTH_BITS,            0, OSMESA_CONTEXT_MAJOR_VERSION, 4,
-        OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MINOR_VERSION, 1, 0};
+    const int attributes[] = {OSMESA_FORMAT,
+                              GL_RGBA,
+                              OSMESA_DEPTH_BITS,
+                              0,
+                              OSMESA_CONTEXT_MAJOR_VERSION,
+                              4,
+                              OSMESA_PROFILE,
+                              OSMESA_CORE_PROFILE,
+                              OSMESA_CONTEXT_MINOR_VERSION,
+                              1,
+                              0};
     context = create(attributes, NULL);
     if (!context || !make_current(context, pixel, GL_UNSIGNED_BYTE, 1, 1))
         return check_fail("OSMesa has no OpenGL 4.1 core context; is GALLIUM_DRIVER set to another driver?");

@@ -26,7 +26,8 @@ static bool create_model(Model *model, Shape shape) {
     glGenBuffers(2, model->buffers);
     glBindVertexArray(model->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, model->buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, mesh.vertex_count * (GLsizeiptr)sizeof(Vertex), mesh.vertices, GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, mesh.vertex_count * (GLsizeiptr)sizeof(Vertex), mesh.vertices,
+                 GL_STATIC_DRAW);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, model->buffers[1]);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, mesh.index_count * (GLsizeiptr)sizeof(uint32_t), mesh.indices,
                  GL_STATIC_DRAW);

@@ -8,8 +8,8 @@
 
 #include <stdbool.h>
 
-// What a pass is given. The picture goes to `framebuffer`, which has colour, 24 bits of depth and 8 of stencil; it is
-// cleared and bound, with the viewport on all of it, when the first pass begins.
+// What a pass is given. The picture goes to `framebuffer`, which has colour, 24 bits of depth and 8 of
+// stencil; it is cleared and bound, with the viewport on all of it, when the first pass begins.
 typedef struct Frame {
     const Scene *scene;
     const Program *programs; // in the order of the lab's table
@@ -32,14 +32,15 @@ mat4s draw_clip_from_world(const Frame *frame);
 // Draws all objects: draw_begin and draw_objects.
 void draw_scene(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
 
-// Uses the program and sets, where it has them: u_clip_from_world and the uniforms of shaders/lighting.glsl that belong
-// to the frame, with `eye` as the place of the viewer (for highlights). Others keep what the lab gave them.
+// Uses the program and sets, where it has them: u_clip_from_world and the uniforms of shaders/lighting.glsl
+// that belong to the frame, with `eye` as the place of the viewer (for highlights). Others keep what the lab
+// gave them.
 void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
 
-// Draws all objects with the program in use; sets what belongs to an object: u_world_from_object, u_color, u_specular,
-// u_shininess, u_is_screen.
+// Draws all objects with the program in use; sets what belongs to an object: u_world_from_object, u_color,
+// u_specular, u_shininess, u_is_screen.
 void draw_objects(const Frame *frame, const Program *program);
 
-// Draws one triangle that covers the viewport; for shaders/fullscreen.vert, which passes v_uv on. The caller turns the
-// depth test off where it is not wanted.
+// Draws one triangle that covers the viewport; for shaders/fullscreen.vert, which passes v_uv on. The caller
+// turns the depth test off where it is not wanted.
 void draw_fullscreen(const Program *program);

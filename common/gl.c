@@ -73,7 +73,8 @@ static void after_call(void *result, const char *name, GLADapiproc function, int
     check_append(first_error, sizeof first_error, "%s in %s", error_name(error), name);
     GLenum status = glad_glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
     if (error == GL_INVALID_FRAMEBUFFER_OPERATION)
-        check_append(first_error, sizeof first_error, " (the bound framebuffer is %s)", framebuffer_status(status));
+        check_append(first_error, sizeof first_error, " (the bound framebuffer is %s)",
+                     framebuffer_status(status));
     void *frames[16];
     gl_append_caller(first_error, sizeof first_error, frames, backtrace(frames, 16));
 }

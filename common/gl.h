@@ -9,8 +9,8 @@
 // Loads the functions of the current context and starts to watch them. False when it is older than 4.1.
 bool gl_load(GLADloadfunc load);
 
-// "GL_INVALID_ENUM in glTexImage2D" of the first failing call since gl_clear_error; "" when all is well. Where the
-// call stands in lab.so, gl_append_caller's mark follows.
+// "GL_INVALID_ENUM in glTexImage2D" of the first failing call since gl_clear_error; "" when all is well.
+// Where the call stands in lab.so, gl_append_caller's mark follows.
 const char *gl_error(void);
 void gl_clear_error(void);
 
@@ -20,6 +20,6 @@ void gl_append_caller(char *text, size_t size, void *const *frames, int count);
 // Checks that the framebuffer bound to GL_FRAMEBUFFER is complete; the message names `what` and the reason.
 bool gl_check_framebuffer(const char *what);
 
-// Everything a pass may have touched goes back to the state in which a frame begins: depth test on (GL_LESS), back
-// faces culled, nothing bound, no blending, stencil, scissor or polygon offset, all masks open.
+// Everything a pass may have touched goes back to the state in which a frame begins: depth test on (GL_LESS),
+// back faces culled, nothing bound, no blending, stencil, scissor or polygon offset, all masks open.
 void gl_reset(void);

@@ -1,5 +1,6 @@
-// The contract between a lab and whoever runs it. A lab is one constant table named `lab` and the functions it names;
-// a program called worker loads it and asks for frames. A lab knows common/ and shaders/, nothing else.
+// The contract between a lab and whoever runs it. A lab is one constant table named `lab` and the functions
+// it names; a program called worker loads it and asks for frames. A lab knows common/ and shaders/, nothing
+// else.
 #pragma once
 
 #include "check.h"
@@ -21,14 +22,15 @@ typedef struct Knob {
     float low, high, value; // value: the default
 } Knob;
 
-// One step of a frame; passes run in the order of the table. A pass sets what it needs (framebuffer, viewport, state):
-// nothing is reset between passes, only before the first one (see gl_reset).
+// One step of a frame; passes run in the order of the table. A pass sets what it needs (framebuffer,
+// viewport, state): nothing is reset between passes, only before the first one (see gl_reset).
 typedef struct Pass {
     const char *name;
     void (*draw)(const Frame *frame);
 } Pass;
 
-// An intermediate result to look at: a 2D texture that the lab owns, colour or depth. It is read after the passes.
+// An intermediate result to look at: a 2D texture that the lab owns, colour or depth. It is read after the
+// passes.
 typedef struct Stage {
     const char *name;
     const GLuint *texture;
@@ -41,8 +43,8 @@ typedef struct Lab {
     Knob knobs[LAB_MAX_KNOBS + 1];
     Pass passes[LAB_MAX_PASSES + 1];
     Stage stages[LAB_MAX_STAGES + 1];
-    // Makes what the passes need, for frames of this size and these knobs; called again, after destroy, when one of
-    // them changes. False with check_fail's message when it cannot.
+    // Makes what the passes need, for frames of this size and these knobs; called again, after destroy, when
+    // one of them changes. False with check_fail's message when it cannot.
     bool (*create)(const Frame *frame);
     // Frees what create made, also when create stopped half-way.
     void (*destroy)(void);

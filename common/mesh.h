@@ -7,7 +7,8 @@
 #include <stdint.h>
 
 typedef enum Shape {
-    SHAPE_PLANE,  // [-1, 1] x {0} x [-1, 1], facing +y, one-sided, texture coordinates with v growing towards -z
+    SHAPE_PLANE,  // [-1, 1] x {0} x [-1, 1], facing +y, one-sided, texture coordinates with v growing towards
+                  // -z
     SHAPE_BOX,    // [-1, 1]^3, closed
     SHAPE_SPHERE, // radius 1, closed, 32 x 16 quads
     SHAPE_COUNT

@@ -81,8 +81,8 @@ static void require_name(const Program *program, const char *name) {
     for (GLsizei i = 0; i < count; i++)
         if (stands_in(shaders[i], name))
             return;
-    check_fail("the uniform %s is set but declared neither in %s nor in %s: declare it or correct its name", name,
-               program->files.vertex, program->files.fragment);
+    check_fail("the uniform %s is set but declared neither in %s nor in %s: declare it or correct its name",
+               name, program->files.vertex, program->files.fragment);
 }
 
 GLint program_find(const Program *program, const char *name) {

@@ -1,5 +1,5 @@
-// Random numbers that are the same on every machine: splitmix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom
-// Number Generators, OOPSLA 2014, fig. 14).
+// Random numbers that are the same on every machine: splitmix64 (Steele, Lea, Flood: Fast Splittable
+// Pseudorandom Number Generators, OOPSLA 2014, fig. 14).
 #pragma once
 
 #include <stdint.h>

@@ -1,4 +1,5 @@
-// What a frame shows: a few objects, a light, a camera. Plain data without pointers, so that it crosses a pipe. No GL.
+// What a frame shows: a few objects, a light, a camera. Plain data without pointers, so that it crosses a
+// pipe. No GL.
 #pragma once
 
 #include "mathx.h"
@@ -20,8 +21,8 @@ typedef struct Object {
 
 typedef enum LightKind { LIGHT_SPOT, LIGHT_DIRECTIONAL } LightKind;
 
-// Both kinds have a position, where their shadow map is taken, and look at `target`. A spot light sends rays from its
-// position in all directions, a directional one parallel rays from position to target.
+// Both kinds have a position, where their shadow map is taken, and look at `target`. A spot light sends rays
+// from its position in all directions, a directional one parallel rays from position to target.
 typedef struct Light {
     int32_t kind;
     vec3s position, target; // world
@@ -47,8 +48,8 @@ typedef struct Scene {
     int32_t object_count, light_count;
 } Scene;
 
-// A scene by its name with everything that may vary drawn from `random`. False for an unknown name (the message lists
-// the names).
+// A scene by its name with everything that may vary drawn from `random`. False for an unknown name (the
+// message lists the names).
 bool scene_make(Scene *scene, const char *name, Random *random);
 
 // Name of the i-th scene, NULL past the last.

@@ -27,7 +27,7 @@ Object *part_object(Scene *scene, Shape shape, vec3s center, vec3s half_size, fl
 
 Object *part_floor(Scene *scene, float half_size, Random *random) {
     Object *floor = part_object(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(half_size, 1, half_size), 0,
-                               part_color(random));
+                                part_color(random));
     floor->specular = 0;
     return floor;
 }
@@ -36,13 +36,13 @@ Light *part_light(Scene *scene, LightKind kind, vec3s position, vec3s target) {
     INVARIANT(scene->light_count < SCENE_MAX_LIGHTS);
     Light *light = &scene->lights[scene->light_count++];
     *light = (Light){.kind = kind,
-                                                  .position = position,
-                                                  .target = target,
-                                                  .color = vec3_make(0.8f, 0.8f, 0.75f),
-                                                  .fov_y = glm_rad(50),
-                                                  .half_size = 4.5f,
-                                                  .near_plane = 4, // near and far close around the scene: more of the map's range is used
-                                                  .far_plane = 16};
+                     .position = position,
+                     .target = target,
+                     .color = vec3_make(0.8f, 0.8f, 0.75f),
+                     .fov_y = glm_rad(50),
+                     .half_size = 4.5f,
+                     .near_plane = 4, // near and far close around the scene: more of the map's range is used
+                     .far_plane = 16};
     return light;
 }
 
@@ -50,26 +50,28 @@ void part_begin(Scene *scene, Random *random) {
     float azimuth = random_range(random, -35, 35), elevation = random_range(random, 28, 45);
     vec3s target = vec3_make(0, 0.4f, 0);
     float dim = random_range(random, 0.15f, 0.3f);
-    *scene = (Scene){.camera = {.eye = part_orbit(target, azimuth, elevation, random_range(random, 8, 9.5f)),
-                                .target = target,
-                                .fov_y = glm_rad(40),
-                                .near_plane = 0.5f,
-                                .far_plane = 60},
-                     .ambient = vec3_make(dim, dim, dim * 1.1f),
-                     .background = vec3_make(random_range(random, 0.05f, 0.2f), random_range(random, 0.1f, 0.2f),
-                                             random_range(random, 0.2f, 0.35f))};
+    *scene =
+        (Scene){.camera = {.eye = part_orbit(target, azimuth, elevation, random_range(random, 8, 9.5f)),
+                           .target = target,
+                           .fov_y = glm_rad(40),
+                           .near_plane = 0.5f,
+                           .far_plane = 60},
+                .ambient = vec3_make(dim, dim, dim * 1.1f),
+                .background = vec3_make(random_range(random, 0.05f, 0.2f), random_range(random, 0.1f, 0.2f),
+                                        random_range(random, 0.2f, 0.35f))};
     scene->second_camera = scene->camera;
 }
 
 void part_casters(Scene *scene, Random *random) {
     float h = random_range(random, 0.5f, 0.8f), r = random_range(random, 0.45f, 0.65f);
-    part_object(scene, SHAPE_BOX, vec3_make(random_range(random, -1.6f, -0.9f), h, random_range(random, -0.6f, 0.6f)),
-               vec3_make(random_range(random, 0.4f, 0.6f), h, random_range(random, 0.4f, 0.6f)),
-               random_range(random, 10, 80), part_color(random));
+    part_object(scene, SHAPE_BOX,
+                vec3_make(random_range(random, -1.6f, -0.9f), h, random_range(random, -0.6f, 0.6f)),
+                vec3_make(random_range(random, 0.4f, 0.6f), h, random_range(random, 0.4f, 0.6f)),
+                random_range(random, 10, 80), part_color(random));
     part_object(scene, SHAPE_SPHERE,
-               vec3_make(random_range(random, 0.7f, 1.4f), r + random_range(random, 0.2f, 0.6f),
-                         random_range(random, -0.6f, 0.6f)),
-               vec3_make(r, r, r), 0, part_color(random));
+                vec3_make(random_range(random, 0.7f, 1.4f), r + random_range(random, 0.2f, 0.6f),
+                          random_range(random, -0.6f, 0.6f)),
+                vec3_make(r, r, r), 0, part_color(random));
 }
 
 vec3s part_above(Random *random, float lowest, float highest, float distance) {

@@ -33,8 +33,8 @@ Object *part_floor(Scene *scene, float half_size, Random *random);
 
 Light *part_light(Scene *scene, LightKind kind, vec3s position, vec3s target);
 
-// A place for a light above the origin: behind the casters as the camera sees them, left or right, so that shadows fall
-// towards it. Elevations in degrees.
+// A place for a light above the origin: behind the casters as the camera sees them, left or right, so that
+// shadows fall towards it. Elevations in degrees.
 vec3s part_above(Random *random, float lowest, float highest, float distance);
 
 // A box on the floor and a sphere above it, a little apart.

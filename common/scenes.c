@@ -1,5 +1,5 @@
-// Scenes. Each holds only what shows its phenomenon; what varies is drawn from a seed, so that a picture of one
-// variant is worth nothing in another.
+// Scenes. Each holds only what shows its phenomenon; what varies is drawn from a seed, so that a picture of
+// one variant is worth nothing in another.
 #include "check.h"
 #include "scene_parts.h"
 

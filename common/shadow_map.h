@@ -1,5 +1,5 @@
-// The shadow map of one light, finished: what lab 03 builds by hand, for the labs after it. The shader's side is
-// shaders/shadow_map.glsl. Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978.
+// The shadow map of one light, finished: what lab 03 builds by hand, for the labs after it. The shader's side
+// is shaders/shadow_map.glsl. Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978.
 #pragma once
 
 #include "gl.h"

@@ -11,8 +11,8 @@ typedef struct Target {
     int width, height;
 } Target;
 
-// `color_format` and `depth_format` are sized internal formats (GL_RGBA8, GL_DEPTH_COMPONENT24, ...), 0 for none.
-// Textures are GL_NEAREST and clamped to the edge. GL_FRAMEBUFFER stays bound to the new target.
+// `color_format` and `depth_format` are sized internal formats (GL_RGBA8, GL_DEPTH_COMPONENT24, ...), 0 for
+// none. Textures are GL_NEAREST and clamped to the edge. GL_FRAMEBUFFER stays bound to the new target.
 bool target_create(Target *target, int width, int height, GLenum color_format, GLenum depth_format);
 void target_destroy(Target *target); // accepts a zeroed target
 

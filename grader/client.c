@@ -25,15 +25,20 @@ bool client_start(Client *client) {
     snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
     bool ours = client->trust == TRUST_OURS;
     char *arguments[] = {worker, (char *)context_name(client->context), client->folder, shaders, NULL};
-    char *environment[] = {"LP_NUM_THREADS=0", "LIBGL_ALWAYS_SOFTWARE=1", "ASAN_OPTIONS=detect_leaks=0", "LC_ALL=C",
-                           ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true", NULL};
+    char *environment[] = {"LP_NUM_THREADS=0",
+                           "LIBGL_ALWAYS_SOFTWARE=1",
+                           "ASAN_OPTIONS=detect_leaks=0",
+                           "LC_ALL=C",
+                           ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true",
+                           NULL};
     ProcessLimits limits = {.wall_seconds = 3600};
     if (!ours)
         limits = (ProcessLimits){.wall_seconds = client->seconds,
                                  .cpu_seconds = (unsigned)client->seconds + 1,
                                  .memory_mib = limits_memory ? MEMORY_MIB : 0,
                                  .file_mib = 1};
-    client->started = process_start(&client->process, arguments, environment, ours ? "/" : client->folder, &limits);
+    client->started =
+        process_start(&client->process, arguments, environment, ours ? "/" : client->folder, &limits);
     return client->started;
 }
 
@@ -42,7 +47,8 @@ static DrawResult explain_end(const Client *client, char *text, size_t size) {
     int status = process->status;
     text[0] = '\0';
     if (process->state == PROCESS_FLOODED) {
-        check_append(text, size, "it printed more than %d MiB and was stopped", PROCESS_FLOOD / (1024 * 1024));
+        check_append(text, size, "it printed more than %d MiB and was stopped",
+                     PROCESS_FLOOD / (1024 * 1024));
         return DRAW_LOST;
     }
     if (process->state == PROCESS_TIMED_OUT || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)) {
@@ -50,16 +56,19 @@ static DrawResult explain_end(const Client *client, char *text, size_t size) {
         return DRAW_TIMEOUT;
     }
     if (!WIFSIGNALED(status)) {
-        check_append(text, size, "it ended by itself with exit status %d before the frame was drawn; lab.c must return",
+        check_append(text, size,
+                     "it ended by itself with exit status %d before the frame was drawn; lab.c must return",
                      WEXITSTATUS(status));
         return DRAW_LOST;
     }
-    check_append(text, size, "it crashed: %s (%s)", strsignal(WTERMSIG(status)), sigabbrev_np(WTERMSIG(status)));
+    check_append(text, size, "it crashed: %s (%s)", strsignal(WTERMSIG(status)),
+                 sigabbrev_np(WTERMSIG(status)));
     const char *place = strstr(process->text, "in "); // report_crash of the worker
     if (place)
         check_append(text, size, " %.300s", place);
     if (process->peak_mib > MEMORY_MIB / 2)
-        check_append(text, size, "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib, MEMORY_MIB);
+        check_append(text, size, "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib,
+                     MEMORY_MIB);
     return DRAW_LOST;
 }
 
@@ -76,14 +85,16 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
     reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
     DrawResult result = reply->drawn ? DRAW_OK : DRAW_FAILED;
     if (ok && reply->magic != PROTOCOL_MAGIC) {
-        snprintf(reply->message, sizeof reply->message, "it wrote something else than a frame to descriptor 3");
+        snprintf(reply->message, sizeof reply->message,
+                 "it wrote something else than a frame to descriptor 3");
         result = DRAW_LOST;
     } else if (!ok) {
         memset(image->rgba, 0, image_bytes(image));
         result = explain_end(client, reply->message, sizeof reply->message);
     }
     if (reply->message[0])
-        compile_locate(client->trust == TRUST_OURS ? request->folder : client->folder, reply->message, sizeof reply->message);
+        compile_locate(client->trust == TRUST_OURS ? request->folder : client->folder, reply->message,
+                       sizeof reply->message);
     return result;
 }
 

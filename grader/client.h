@@ -10,8 +10,8 @@
 #include <stdbool.h>
 
 typedef enum Trust {
-    TRUST_OURS,    // a solution: no limits, compiled shaders are kept between runs
-    TRUST_NOBODY   // a submission: limits on time and memory, nothing shared
+    TRUST_OURS,  // a solution: no limits, compiled shaders are kept between runs
+    TRUST_NOBODY // a submission: limits on time and memory, nothing shared
 } Trust;
 
 typedef struct Client {
@@ -30,10 +30,11 @@ typedef enum DrawResult {
     DRAW_TIMEOUT // the same, because it used up its time
 } DrawResult;
 
-// Draws one frame; starts the worker first when it does not run. A lost worker stays lost. `image` is created at the
-// size of the request when it has another one. A worker of several labs looks at request->folder.
+// Draws one frame; starts the worker first when it does not run. A lost worker stays lost. `image` is created
+// at the size of the request when it has another one. A worker of several labs looks at request->folder.
 DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply);
 
-// Starts the worker without waiting for it, so that several start side by side. False: no process can be started.
+// Starts the worker without waiting for it, so that several start side by side. False: no process can be
+// started.
 bool client_start(Client *client);
 void client_stop(Client *client); // accepts a zeroed client

@@ -18,7 +18,8 @@ static bool run_tool(Process *process, char *const *arguments, const char *folde
     if (!process_start(process, arguments, environment, folder, &limits))
         return false;
     process_wait(process);
-    bool ok = process->state == PROCESS_ENDED && WIFEXITED(process->status) && WEXITSTATUS(process->status) == 0;
+    bool ok =
+        process->state == PROCESS_ENDED && WIFEXITED(process->status) && WEXITSTATUS(process->status) == 0;
     process_stop(process);
     return ok;
 }
@@ -28,16 +29,33 @@ bool compile_lab(const char *folder, char log[COMPILE_LOG]) {
     char common[FILES_PATH], packages[FILES_PATH];
     home_path(common, "common");
     home_build_path(packages, "include");
-    char *arguments[] = {"gcc",     "-std=c11", "-Wall",    "-Wextra",  "-O0",
-                         "-g",      "-fPIC",    "-shared",  "-I",       common,
-                         "-isystem", packages,  "-D_GNU_SOURCE", "-DCGLM_ALL_UNALIGNED", "-fmax-errors=20",
-                         "-o",      "lab.so",   "./lab.c",  "-lm",      NULL};
+    char *arguments[] = {"gcc",
+                         "-std=c11",
+                         "-Wall",
+                         "-Wextra",
+                         "-O0",
+                         "-g",
+                         "-fPIC",
+                         "-shared",
+                         "-I",
+                         common,
+                         "-isystem",
+                         packages,
+                         "-D_GNU_SOURCE",
+                         "-DCGLM_ALL_UNALIGNED",
+                         "-fmax-errors=20",
+                         "-o",
+                         "lab.so",
+                         "./lab.c",
+                         "-lm",
+                         NULL};
     bool ok = run_tool(&process, arguments, folder);
     snprintf(log, COMPILE_LOG, "%.*s", COMPILE_LOG - 1, process.text);
     if (ok)
         return true;
-    return check_fail(process.state == PROCESS_ENDED ? "lab.c does not compile" :
-                                                       "the compiler was stopped: lab.c takes too long to compile");
+    return check_fail(process.state == PROCESS_ENDED
+                          ? "lab.c does not compile"
+                          : "the compiler was stopped: lab.c takes too long to compile");
 }
 
 static bool locate_one(const char *folder, const char *offset, char *place, size_t size) {

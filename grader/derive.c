@@ -32,7 +32,8 @@ static bool apply_edits(Texts *texts, const Rubric *rubric, const Change *change
         while (i < rubric->file_count && strcmp(rubric->files[i], change->edits[e].file) != 0)
             i++;
         if (i == rubric->file_count)
-            return check_fail("\"%s\" edits %s, which rubric.json does not list", change->name, change->edits[e].file);
+            return check_fail("\"%s\" edits %s, which rubric.json does not list", change->name,
+                              change->edits[e].file);
         if (!replace_text(&texts->of[i], source_edit(texts->of[i], &change->edits[e])))
             return false;
     }
@@ -111,7 +112,8 @@ bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, c
     return ok;
 }
 
-bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, char log[COMPILE_LOG]) {
+bool derive_submission(const char *folder, const Rubric *rubric, const char *submission,
+                       char log[COMPILE_LOG]) {
     Texts texts = {0};
     bool ok = true;
     log[0] = '\0';

@@ -7,12 +7,14 @@
 
 #include <stdbool.h>
 
-// From the annotated source: the solution, the skeleton or something between, with a change from the rubric (NULL for
-// none). Kept in build/cache under a name made from its content, and found there the next time. False with a message.
+// From the annotated source: the solution, the skeleton or something between, with a change from the rubric
+// (NULL for none). Kept in build/cache under a name made from its content, and found there the next time.
+// False with a message.
 bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, const Change *change);
 
-// From a submission: copies only the files that the rubric names to the new folder `folder` and compiles them.
-// `log` gets gcc's words. False with a message that names the file that is missing, strange or wrong.
-bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, char log[COMPILE_LOG]);
+// From a submission: copies only the files that the rubric names to the new folder `folder` and compiles
+// them. `log` gets gcc's words. False with a message that names the file that is missing, strange or wrong.
+bool derive_submission(const char *folder, const Rubric *rubric, const char *submission,
+                       char log[COMPILE_LOG]);
 
 enum { DERIVE_MAX_FILE = 1 << 18 };

@@ -33,7 +33,8 @@ static void measure_ours(Distances *distances, const CheckResult *check, const V
     }
 }
 
-static bool measure_mistake(Distances *distances, int m, const LabResult *result, int c, Exam *exam, Roster *roster) {
+static bool measure_mistake(Distances *distances, int m, const LabResult *result, int c, Exam *exam,
+                            Roster *roster) {
     for (int n = 0; n < result->checks[c].check->variants; n++) {
         const Image *theirs = exam_mistake(exam, roster, m, c, n);
         if (!theirs)
@@ -94,7 +95,8 @@ static void explain(CheckResult *check, const Distances *distances, int common, 
     char text[128];
     if (common < 0 && untouched(distances)) {
         bool alone = distances->to_without == 0;
-        snprintf(text, sizeof text, "task %s%s is not done", check->check->task, alone ? "" : " or one before it");
+        snprintf(text, sizeof text, "task %s%s is not done", check->check->task,
+                 alone ? "" : " or one before it");
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
     } else if (own >= 0) {
         name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
@@ -110,7 +112,8 @@ static bool measure_mistakes(Distances *distances, const LabResult *result, Exam
     INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);
     for (int m = 0; m < rubric->mistake_count; m++)
         for (int c = 0; c < result->check_count; c++)
-            if (wants_cause(&result->checks[c]) && !measure_mistake(&distances[c], m, result, c, exam, roster))
+            if (wants_cause(&result->checks[c]) &&
+                !measure_mistake(&distances[c], m, result, c, exam, roster))
                 return false;
     return true;
 }

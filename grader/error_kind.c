@@ -62,10 +62,11 @@ void error_kind(char *text, size_t size, const Image *yours, const Image *refere
         check_append(text, size, "upside down");
         return;
     }
-    const char *kind = sum.darker > 3 * (sum.lighter + sum.other)    ? "false shadow: too dark"
+    const char *kind = sum.darker > 3 * (sum.lighter + sum.other)   ? "false shadow: too dark"
                        : sum.lighter > 3 * (sum.darker + sum.other) ? "false light: too bright"
                                                                     : "wrong colour";
     double share = wrong > 0 ? wrong : 1;
-    check_append(text, size, "%s in %.0f %% of the picture, mostly at the %s", kind, fmax(100 * wrong / pixels, 1),
+    check_append(text, size, "%s in %.0f %% of the picture, mostly at the %s", kind,
+                 fmax(100 * wrong / pixels, 1),
                  place(sum.x / share / yours->width, sum.y / share / yours->height));
 }

@@ -5,6 +5,6 @@
 
 #include <stddef.h>
 
-// Writes what is wrong with `yours` and where, for instance "false shadow: too dark in 12 % of the picture, mostly at
-// the lower left". Both pictures have one size.
+// Writes what is wrong with `yours` and where, for instance "false shadow: too dark in 12 % of the picture,
+// mostly at the lower left". Both pictures have one size.
 void error_kind(char *text, size_t size, const Image *yours, const Image *reference);

@@ -18,7 +18,7 @@ float exam_milliseconds(const Reply *reply) {
 }
 
 static bool make_request(Request *request, const Check *check, Random *random) {
-    *request = (Request){.magic = PROTOCOL_MAGIC, .width = 160, .height = 128, .knob_count = check->knob_count};
+    *request = (Request){.magic = PROTOCOL_MAGIC, .fresh = 1, .knob_count = check->knob_count};
     snprintf(request->view, sizeof request->view, "%s", check->view);
     for (int i = 0; i < check->knob_count; i++) {
         snprintf(request->knobs[i].name, sizeof request->knobs[i].name, "%s", check->knobs[i].name);
@@ -69,8 +69,8 @@ static bool draw_variant(Variant *variant, const Painters *painters, char render
         !roster_draw(painters->roster, painters->solution, &variant->request, &variant->reference, &reply))
         return false;
     memcpy(renderer, reply.renderer, sizeof reply.renderer);
-    return reply.drawn || check_fail("our own solution in %s draws nothing: %s", painters->solution->folder,
-                                     reply.message);
+    return reply.drawn ||
+           check_fail("our own solution in %s draws nothing: %s", painters->solution->folder, reply.message);
 }
 
 static bool create_check(Exam *exam, int c, const Painters *painters) {
@@ -89,9 +89,10 @@ static bool create_check(Exam *exam, int c, const Painters *painters) {
         n += ok && acceptable(exam->variants[c], n);
     }
     if (ok && n < check->variants)
-        return check_fail("lab %s, check \"%s\": seed %llu gives only %d of %d variants in which the task shows; "
-                          "try another seed or mend the rubric",
-                          exam->rubric->id, check->name, (unsigned long long)exam->seed, n, check->variants);
+        return check_fail(
+            "lab %s, check \"%s\": seed %llu gives only %d of %d variants in which the task shows; "
+            "try another seed or mend the rubric",
+            exam->rubric->id, check->name, (unsigned long long)exam->seed, n, check->variants);
     return ok;
 }
 
@@ -103,7 +104,8 @@ bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed
         Painters painters = {roster, roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL),
                              roster_get(roster, (Solved){SOLVED_NONE, NULL}, NULL),
                              roster_get(roster, (Solved){SOLVED_ALL_BUT, rubric->checks[c].task}, NULL)};
-        if (!painters.solution || !painters.skeleton || !painters.without || !create_check(exam, c, &painters)) {
+        if (!painters.solution || !painters.skeleton || !painters.without ||
+            !create_check(exam, c, &painters)) {
             exam_destroy(exam);
             return false;
         }
@@ -117,7 +119,8 @@ const Image *exam_mistake(Exam *exam, Roster *roster, int m, int c, int n) {
     if (image->rgba)
         return image;
     const Painter *mistaken = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &exam->rubric->mistakes[m]);
-    return mistaken && roster_draw(roster, mistaken, &exam->variants[c][n].request, image, &reply) ? image : NULL;
+    return mistaken && roster_draw(roster, mistaken, &exam->variants[c][n].request, image, &reply) ? image
+                                                                                                   : NULL;
 }
 
 void exam_destroy(Exam *exam) {

@@ -1,5 +1,5 @@
-// The frames that a lab is graded by: for each check of the rubric some variants drawn from a seed, with what the
-// solution draws for them, what it draws without the check's task and what the skeleton draws.
+// The frames that a lab is graded by: for each check of the rubric some variants drawn from a seed, with what
+// the solution draws for them, what it draws without the check's task and what the skeleton draws.
 #pragma once
 
 #include "roster.h"
@@ -23,8 +23,9 @@ typedef struct Exam {
     Image mistakes[EXAM_MAX_MISTAKES][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
 } Exam;
 
-// Draws the variants. A variant is taken only when the task and the whole lab each change at least 1 % of its pixels
-// and nothing cheap scores in it: black, the mean colour and the references of the check's other variants all get 0.
+// Draws the variants. A variant is taken only when the task and the whole lab each change at least 1 % of its
+// pixels and nothing cheap scores in it: black, the mean colour and the references of the check's other
+// variants all get 0.
 bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed);
 void exam_destroy(Exam *exam); // accepts a zeroed exam
 

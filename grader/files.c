@@ -36,8 +36,9 @@ static char *read_all(int descriptor, const char *path, size_t limit) {
 static char *read_at(int folder, const char *name, const char *path, int flags, size_t limit) {
     int descriptor = openat(folder, name, O_RDONLY | O_CLOEXEC | O_NONBLOCK | flags);
     if (descriptor < 0) {
-        check_fail(errno == ELOOP ? "%s is a symbolic link: hand in the file itself" : "%s cannot be read: %s", path,
-                   strerror(errno));
+        check_fail(errno == ELOOP ? "%s is a symbolic link: hand in the file itself"
+                                  : "%s cannot be read: %s",
+                   path, strerror(errno));
         return NULL;
     }
     char *text = read_all(descriptor, path, limit);

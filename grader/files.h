@@ -9,7 +9,8 @@ enum { FILES_PATH = 4096 };
 // The text of a regular file of at most `limit` bytes, freed by the caller; NULL with a message.
 char *files_read(const char *path, size_t limit);
 
-// The same for a file handed in by a stranger: `name` must be a plain file in `folder`, not a link, not a device.
+// The same for a file handed in by a stranger: `name` must be a plain file in `folder`, not a link, not a
+// device.
 char *files_read_strange(const char *folder, const char *name, size_t limit);
 
 bool files_write(const char *path, const char *text);
@@ -27,5 +28,6 @@ void files_remove(const char *path);
 // Writes "a/b" to path, which may not be a; aborts when it does not fit.
 void files_join(char path[FILES_PATH], const char *a, const char *b);
 
-// Calls visit for each entry of a folder in the order of names, without "." and "..". False when it cannot be read.
+// Calls visit for each entry of a folder in the order of names, without "." and "..". False when it cannot be
+// read.
 bool files_list(const char *folder, void (*visit)(const char *name, void *context), void *context);

@@ -10,17 +10,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char usage[] =
-    "usage: build/frame --lab NN --scene NAME [options] FILE.png\n"
-    "  --view V          picture (default), visibility or a stage of the lab\n"
-    "  --seed N          variant of the scene (default 1)\n"
-    "  --size WxH        default 480x360\n"
-    "  --knob NAME=VALUE may be repeated\n"
-    "  --skeleton        nothing solved\n"
-    "  --up-to TASK      solved up to this task\n"
-    "  --without TASK    all solved but this task\n"
-    "  --mistake NAME    the solution with a mistake of mistakes.json\n"
-    "  --context C       osmesa (default) or egl\n";
+static const char usage[] = "usage: build/frame --lab NN --scene NAME [options] FILE.png\n"
+                            "  --view V          picture (default), visibility or a stage of the lab\n"
+                            "  --seed N          variant of the scene (default 1)\n"
+                            "  --size WxH        default 480x360\n"
+                            "  --knob NAME=VALUE may be repeated\n"
+                            "  --skeleton        nothing solved\n"
+                            "  --up-to TASK      solved up to this task\n"
+                            "  --without TASK    all solved but this task\n"
+                            "  --mistake NAME    the solution with a mistake of mistakes.json\n"
+                            "  --context C       osmesa (default) or egl\n";
 
 typedef struct Options {
     const char *lab, *scene, *mistake;

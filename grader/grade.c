@@ -16,16 +16,15 @@
 
 enum { EXIT_ALL_PASSED, EXIT_NOT_ALL, EXIT_USAGE, EXIT_COULD_NOT };
 
-static const char usage[] =
-    "usage: build/grade [options] SUBMISSION\n"
-    "  SUBMISSION        a folder shaped like labs/, or the folder of one lab\n"
-    "  --lab NN          only this lab; may be repeated\n"
-    "  --seed N          the variants of an earlier run (default: drawn anew)\n"
-    "  --context C       osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
-    "  --format F        text (default) or json\n"
-    "  --output DIR      pictures of what failed: yours, reference, difference\n"
-    "  --timeout S       seconds that a submission may run per lab (default 20)\n"
-    "exit status: 0 all passed, 1 not all passed, 2 usage, 3 could not grade\n";
+static const char usage[] = "usage: build/grade [options] SUBMISSION\n"
+                            "  SUBMISSION        a folder shaped like labs/, or the folder of one lab\n"
+                            "  --lab NN          only this lab; may be repeated\n"
+                            "  --seed N          the variants of an earlier run (default: drawn anew)\n"
+                            "  --context C       osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
+                            "  --format F        text (default) or json\n"
+                            "  --output DIR      pictures of what failed: yours, reference, difference\n"
+                            "  --timeout S       seconds that a submission may run per lab (default 20)\n"
+                            "exit status: 0 all passed, 1 not all passed, 2 usage, 3 could not grade\n";
 
 typedef struct Options {
     GradeOptions grade;
@@ -54,7 +53,8 @@ static bool parse_lab(Options *options, const char *id) {
     char folder[FILES_PATH];
     if (strlen(id) != 2 || !home_find_lab(folder, id)) {
         check_clear();
-        return check_fail("there is no lab \"%s\"; give two digits as in solutions/, for instance --lab 02", id);
+        return check_fail("there is no lab \"%s\"; give two digits as in solutions/, for instance --lab 02",
+                          id);
     }
     if (options->lab_count == RESULT_MAX_LABS)
         return check_fail("--lab was given more than %d times", RESULT_MAX_LABS);
@@ -89,14 +89,11 @@ static bool parse_option(Options *options, int option, const char *value) {
 }
 
 static bool parse(Options *options, int count, char **arguments) {
-    static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
-                                          {"seed", required_argument, NULL, 's'},
-                                          {"context", required_argument, NULL, 'c'},
-                                          {"format", required_argument, NULL, 'f'},
-                                          {"output", required_argument, NULL, 'o'},
-                                          {"timeout", required_argument, NULL, 't'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {0}};
+    static const struct option table[] = {
+        {"lab", required_argument, NULL, 'l'},     {"seed", required_argument, NULL, 's'},
+        {"context", required_argument, NULL, 'c'}, {"format", required_argument, NULL, 'f'},
+        {"output", required_argument, NULL, 'o'},  {"timeout", required_argument, NULL, 't'},
+        {"help", no_argument, NULL, 'h'},          {0}};
     const char *context = getenv("SHADOW_LAB_CONTEXT");
     *options = (Options){.grade = {.seconds = 20}};
     if (context && !context_parse(&options->grade.context, context))
@@ -134,9 +131,9 @@ typedef struct Run {
     const Options *options;
     Report report;
     Rubric rubrics[RESULT_MAX_LABS]; // of the report's labs
-    bool single;       // the submission is one lab's folder
-    char single_id[3]; // its number
-    bool failed;       // a fault of ours
+    bool single;                     // the submission is one lab's folder
+    char single_id[3];               // its number
+    bool failed;                     // a fault of ours
 } Run;
 
 static bool find_submission(const Run *run, const char *id, char folder[FILES_PATH]) {
@@ -150,7 +147,8 @@ static bool find_submission(const Run *run, const char *id, char folder[FILES_PA
 static void grade_one(const char *id, void *context) {
     Run *run = context;
     char ours[FILES_PATH], theirs[FILES_PATH];
-    if (run->failed || run->report.lab_count == RESULT_MAX_LABS || (run->single && strcmp(id, run->single_id) != 0))
+    if (run->failed || run->report.lab_count == RESULT_MAX_LABS ||
+        (run->single && strcmp(id, run->single_id) != 0))
         return;
     check_clear();
     Rubric *rubric = &run->rubrics[run->report.lab_count];

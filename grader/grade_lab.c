@@ -16,7 +16,8 @@ static void add_warning(LabResult *result, const char *text) {
     char clean[RESULT_TEXT];
     result_clean(clean, sizeof clean, text);
     if (!strstr(result->warnings, clean))
-        check_append(result->warnings, sizeof result->warnings, "%s%s", result->warnings[0] ? "\n" : "", clean);
+        check_append(result->warnings, sizeof result->warnings, "%s%s", result->warnings[0] ? "\n" : "",
+                     clean);
 }
 
 void grade_begin(LabResult *result, const Rubric *rubric) {
@@ -71,15 +72,18 @@ static bool has_bad_pixels(const Image *image) {
 }
 
 // Draws one frame of the student's; false when no more frames will come.
-static bool draw_one(LabResult *result, Client *student, const Variant *variant, Image *yours, float *milliseconds) {
+static bool draw_one(LabResult *result, Client *student, const Variant *variant, Image *yours,
+                     float *milliseconds) {
     static Reply reply;
     DrawResult drawn = client_draw(student, &variant->request, yours, &reply);
     if (drawn == DRAW_OK) {
         if (reply.message[0])
             add_warning(result, reply.message);
         if (has_bad_pixels(yours))
-            add_warning(result, "some pixels are not finite numbers (NaN or infinity): is there a division by zero, a "
-                                "pow of a negative number or a normalize of a zero vector in a shader?");
+            add_warning(
+                result,
+                "some pixels are not finite numbers (NaN or infinity): is there a division by zero, a "
+                "pow of a negative number or a normalize of a zero vector in a shader?");
         *milliseconds = exam_milliseconds(&reply);
         return true;
     }
@@ -142,7 +146,8 @@ static void note_ignored(const char *name, void *context) {
     add_warning(ignored->result, text);
 }
 
-static bool take_submission(LabResult *result, Client *student, const Rubric *rubric, const char *submission) {
+static bool take_submission(LabResult *result, Client *student, const Rubric *rubric,
+                            const char *submission) {
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
     Ignored ignored = {rubric, result, 0};

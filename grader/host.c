@@ -77,7 +77,8 @@ static bool take_knobs(const Lab *lab, const Request *request, float *knobs) {
     for (int i = 0; i < request->knob_count; i++) {
         int knob = find_knob(lab, request->knobs[i].name);
         if (knob < 0)
-            return check_fail("the lab has no knob \"%s\"; restore the table of knobs", request->knobs[i].name);
+            return check_fail("the lab has no knob \"%s\"; restore the table of knobs",
+                              request->knobs[i].name);
         knobs[knob] = request->knobs[i].value;
     }
     return true;
@@ -88,7 +89,7 @@ static bool ensure_created(HostedLab *hosted, const Request *request, Frame *fra
     float knobs[LAB_MAX_KNOBS] = {0};
     if (!take_knobs(hosted->lab, request, knobs))
         return false;
-    bool fits = hosted->created && hosted->picture.width == request->width &&
+    bool fits = hosted->created && !request->fresh && hosted->picture.width == request->width &&
                 hosted->picture.height == request->height && memcmp(knobs, hosted->knobs, sizeof knobs) == 0;
     memcpy(hosted->knobs, knobs, sizeof knobs);
     if (fits) {
@@ -153,7 +154,8 @@ static bool read_pixels(const Target *target, uint8_t *pixels) {
     return true;
 }
 
-static bool show_view(const HostedLab *hosted, const StageView *view, const Request *request, uint8_t *pixels) {
+static bool show_view(const HostedLab *hosted, const StageView *view, const Request *request,
+                      uint8_t *pixels) {
     if (strcmp(request->view, VIEW_PICTURE) == 0 || strcmp(request->view, VIEW_VISIBILITY) == 0)
         return read_pixels(&hosted->picture, pixels);
     for (int i = 0; i < LAB_MAX_STAGES && hosted->lab->stages[i].name; i++)

@@ -13,13 +13,13 @@ typedef struct HostedLab {
     int program_count;
     Target picture, readback;
     float knobs[LAB_MAX_KNOBS];
-    bool ready;   // the lab and its programs are there
-    bool created; // lab->create was called
+    bool ready;                  // the lab and its programs are there
+    bool created;                // lab->create was called
     char failure[PROTOCOL_TEXT]; // why it is not ready
 } HostedLab;
 
-// The lab in `folder`, loaded when it is first asked for; NULL when there is no room for more labs. A lab that cannot be
-// loaded is not ready and draws nothing.
+// The lab in `folder`, loaded when it is first asked for; NULL when there is no room for more labs. A lab
+// that cannot be loaded is not ready and draws nothing.
 HostedLab *host_find(const char *folder, const char *shader_folder);
 
 // Draws the frame and writes its pixels; false with a message when the lab failed.

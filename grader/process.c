@@ -147,8 +147,8 @@ static void reap(Process *process) {
             break;
         if (!take_output(process)) {
             siginfo_t info;
-            while (waitid(P_PID, (id_t)process->pid, &info, WEXITED | WNOWAIT | WNOHANG) == 0 && info.si_pid == 0 &&
-                   process_now() < process->deadline)
+            while (waitid(P_PID, (id_t)process->pid, &info, WEXITED | WNOWAIT | WNOHANG) == 0 &&
+                   info.si_pid == 0 && process_now() < process->deadline)
                 usleep(500);
             if (process_now() >= process->deadline)
                 process->state = PROCESS_TIMED_OUT;
@@ -170,7 +170,8 @@ static bool send_some(Process *process, const char *request, size_t size, size_t
     return true;
 }
 
-bool process_exchange(Process *process, const void *request, size_t request_size, void *reply, size_t reply_size) {
+bool process_exchange(Process *process, const void *request, size_t request_size, void *reply,
+                      size_t reply_size) {
     size_t sent = 0, taken = 0;
     while (process->state == PROCESS_RUNNING && taken < reply_size) {
         struct pollfd events[3] = {{.fd = process->replies, .events = POLLIN},

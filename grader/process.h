@@ -1,4 +1,5 @@
-// A child process with limits, spoken to through pipes, that never outlives us and never makes us wait too long.
+// A child process with limits, spoken to through pipes, that never outlives us and never makes us wait too
+// long.
 #pragma once
 
 #include <stdbool.h>
@@ -8,15 +9,15 @@
 enum { PROCESS_OUTPUT = 64 * 1024, PROCESS_FLOOD = 4 * 1024 * 1024 };
 
 typedef struct ProcessLimits {
-    double wall_seconds; // for the whole life of the process
+    double wall_seconds;                                   // for the whole life of the process
     unsigned cpu_seconds, memory_mib, file_mib, processes; // 0: no limit
 } ProcessLimits;
 
 typedef enum ProcessState {
     PROCESS_RUNNING,
-    PROCESS_ENDED,    // exited or died: see status
+    PROCESS_ENDED,     // exited or died: see status
     PROCESS_TIMED_OUT, // killed: the wall time was over
-    PROCESS_FLOODED   // killed: it printed more than PROCESS_FLOOD bytes
+    PROCESS_FLOODED    // killed: it printed more than PROCESS_FLOOD bytes
 } ProcessState;
 
 typedef struct Process {
@@ -24,18 +25,21 @@ typedef struct Process {
     int input, replies, output; // our ends: its descriptor 0, its 3, and its 1 and 2 together; -1 when closed
     double deadline;            // seconds of the monotonic clock
     ProcessState state;
-    int status;                 // as waitpid gives it, once the process was reaped
-    long peak_mib;              // resident memory at its peak, once reaped
-    size_t printed;             // bytes it printed in all
-    char text[PROCESS_OUTPUT];  // the first of them, a string
+    int status;                // as waitpid gives it, once the process was reaped
+    long peak_mib;             // resident memory at its peak, once reaped
+    size_t printed;            // bytes it printed in all
+    char text[PROCESS_OUTPUT]; // the first of them, a string
 } Process;
 
-// Starts arguments[0] (looked for in PATH) in `folder` with exactly `environment`. On failure: a message and a zeroed process.
+// Starts arguments[0] (looked for in PATH) in `folder` with exactly `environment`. On failure: a message and
+// a zeroed process.
 bool process_start(Process *process, char *const *arguments, char *const *environment, const char *folder,
                    const ProcessLimits *limits);
 
-// Sends `request` and reads exactly reply_size bytes. False when the process ended, timed out or flooded before.
-bool process_exchange(Process *process, const void *request, size_t request_size, void *reply, size_t reply_size);
+// Sends `request` and reads exactly reply_size bytes. False when the process ended, timed out or flooded
+// before.
+bool process_exchange(Process *process, const void *request, size_t request_size, void *reply,
+                      size_t reply_size);
 
 // Waits for the process to end by itself (collecting what it prints) or to break a limit.
 void process_wait(Process *process);

@@ -1,5 +1,6 @@
-// What a client and the worker say to each other, through two pipes on one machine: for each Request one Reply,
-// followed by exactly width * height * 4 bytes of RGBA pixels (top row first), also when the lab failed.
+// What a client and the worker say to each other, through two pipes on one machine: for each Request one
+// Reply, followed by exactly width * height * 4 bytes of RGBA pixels (top row first), also when the lab
+// failed.
 #pragma once
 
 #include "lab.h"
@@ -27,8 +28,10 @@ typedef struct KnobSetting {
 typedef struct Request {
     uint32_t magic;
     int32_t width, height;
+    int32_t
+        fresh; // 1: the lab makes its resources anew, so that the frame does not depend on those before it
     char folder[PROTOCOL_PATH]; // of the lab, for a worker that was not given one
-    char view[LAB_MAX_NAME]; // a view above or the name of a stage
+    char view[LAB_MAX_NAME];    // a view above or the name of a stage
     KnobSetting knobs[LAB_MAX_KNOBS];
     int32_t knob_count; // knobs not named keep their defaults
     Scene scene;
@@ -36,8 +39,8 @@ typedef struct Request {
 
 typedef struct Reply {
     uint32_t magic;
-    int32_t drawn;                        // 1: the pixels are the lab's; 0: they are black, and `message` says why
-    float milliseconds[LAB_MAX_PASSES];   // CPU time of each pass
-    char message[PROTOCOL_TEXT];          // why it was not drawn, or the first GL error or check_fail of the frame
-    char renderer[128];                   // "GL_VERSION / GL_RENDERER"
+    int32_t drawn; // 1: the pixels are the lab's; 0: they are black, and `message` says why
+    float milliseconds[LAB_MAX_PASSES]; // CPU time of each pass
+    char message[PROTOCOL_TEXT]; // why it was not drawn, or the first GL error or check_fail of the frame
+    char renderer[128];          // "GL_VERSION / GL_RENDERER"
 } Reply;

@@ -1,8 +1,8 @@
-// prove [--lab NN]... [--seeds N] [--context C]: proves a rubric. Over N seeds it draws, for each lab, the solution, the
-// skeleton, each catalogued mistake, each alternative and some cheap pictures, grades them like a submission and
-// prints a table (Markdown, for grader/README.md). Exit status 1 when one of them is not graded as it should be:
-// solution and alternatives 100 %, skeleton 0 on every check, mistakes below the pass mark and named correctly, cheap
-// pictures 0 on every check. `N passed, N failed` counts contenders.
+// prove [--lab NN]... [--seeds N] [--context C]: proves a rubric. Over N seeds it draws, for each lab, the
+// solution, the skeleton, each catalogued mistake, each alternative and some cheap pictures, grades them like
+// a submission and prints a table (Markdown, for grader/README.md). Exit status 1 when one of them is not
+// graded as it should be: solution and alternatives 100 %, skeleton 0 on every check, mistakes below the pass
+// mark and named correctly, cheap pictures 0 on every check. `N passed, N failed` counts contenders.
 #include "check.h"
 #include "grade_lab.h"
 #include "diagnose.h"
@@ -135,7 +135,10 @@ static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof)
         printf("| %s | %s | %s | %.0f | %.0f | %s%s%s |\n", rubric->id, kinds[row->kind],
                row->change ? row->change->name : "", row->lowest, row->highest,
                right ? (row->kind == KIND_MISTAKE ? "named" : "as it should be") : "WRONG: ",
-               right ? "" : row->other[0] ? row->other : "not below the pass mark", "");
+               right           ? ""
+               : row->other[0] ? row->other
+                               : "not below the pass mark",
+               "");
     }
 }
 
@@ -160,7 +163,8 @@ static void prove_lab(const char *id, void *context) {
     Rubric rubric = {0};
     if (proof->broken)
         return;
-    bool ok = (home_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) && rubric_load(&rubric, folder);
+    bool ok = (home_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) &&
+              rubric_load(&rubric, folder);
     Roster roster = {.rubric = &rubric, .context = proof->context};
     if (ok) {
         int count = list_rows(rows, &rubric);
@@ -189,12 +193,14 @@ int main(int count, char **arguments) {
             labs[lab_count++] = optarg;
     }
     if (!ok || optind != count || proof.seeds < 1 || proof.seeds > MAX_SEEDS) {
-        fprintf(stderr, "usage: build/prove [--lab NN]... [--seeds 1..%d] [--context osmesa|egl]\n", MAX_SEEDS);
+        fprintf(stderr, "usage: build/prove [--lab NN]... [--seeds 1..%d] [--context osmesa|egl]\n",
+                MAX_SEEDS);
         return 2;
     }
     signal(SIGPIPE, SIG_IGN);
-    printf("| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
-           proof.seeds);
+    printf(
+        "| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
+        proof.seeds);
     if (lab_count == 0)
         home_list_labs(prove_lab, &proof);
     for (int i = 0; i < lab_count; i++)

@@ -43,7 +43,8 @@ bool report_evidence(const LabResult *result, const Exam *exam, const char *fold
     check_append(lab_folder, sizeof lab_folder, "/");
     for (int c = 0; ok && c < result->check_count; c++) {
         const CheckResult *check = &result->checks[c];
-        const Image *yours = &check->yours[check->worst], *reference = &exam->variants[c][check->worst].reference;
+        const Image *yours = &check->yours[check->worst],
+                    *reference = &exam->variants[c][check->worst].reference;
         if (check->passed || !yours->rgba)
             continue;
         Image difference = {0};

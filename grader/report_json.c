@@ -8,22 +8,23 @@ static double rounded(double value, double unit) {
 }
 
 static json_t *cause_json(const CheckResult *check) {
-    return check->has_cause ? json_pack("{s:s, s:s}", "mistake", check->mistake, "hint", check->hint) : json_null();
+    return check->has_cause ? json_pack("{s:s, s:s}", "mistake", check->mistake, "hint", check->hint)
+                            : json_null();
 }
 
 static json_t *check_json(const CheckResult *check) {
     return json_pack("{s:s, s:s, s:s, s:f, s:i, s:b, s:f, s:o}", "name", check->check->name, "stage",
-                     check->check->view, "task", check->check->task, "score", result_points(check), "max_score",
-                     check->check->points, "passed", check->passed, "error", rounded(check->error, 1e-6), "cause",
-                     cause_json(check));
+                     check->check->view, "task", check->check->task, "score", result_points(check),
+                     "max_score", check->check->points, "passed", check->passed, "error",
+                     rounded(check->error, 1e-6), "cause", cause_json(check));
 }
 
 static json_t *lab_json(const LabResult *lab) {
     json_t *checks = json_array();
     for (int c = 0; c < lab->check_count; c++)
         json_array_append_new(checks, check_json(&lab->checks[c]));
-    return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s, s:s, s:f, s:o}", "id", lab->id, "name", lab->name, "score",
-                     rounded(lab->score, 0.01), "max_score", lab->max_score, "status",
+    return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s, s:s, s:f, s:o}", "id", lab->id, "name", lab->name,
+                     "score", rounded(lab->score, 0.01), "max_score", lab->max_score, "status",
                      result_status_name(lab->status), "message", lab->message, "warnings", lab->warnings,
                      "speed_ratio", rounded(lab->speed_ratio, 0.001), "checks", checks);
 }
@@ -34,11 +35,12 @@ bool report_json(const Report *report, FILE *out) {
         json_array_append_new(labs, lab_json(&report->labs[i]));
     char seed[24];
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)report->seed);
-    json_t *root = json_pack("{s:i, s:s, s:s, s:s, s:f, s:f, s:f, s:o}", "version", 1, "seed", seed, "context",
-                             report->context, "renderer", report->renderer, "seconds",
+    json_t *root = json_pack("{s:i, s:s, s:s, s:s, s:f, s:f, s:f, s:o}", "version", 1, "seed", seed,
+                             "context", report->context, "renderer", report->renderer, "seconds",
                              rounded(report->seconds, 0.001), "score", rounded(result_score(report), 0.01),
                              "max_score", result_max_score(report), "labs", labs);
-    bool ok = root && json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) == 0 && fputc('\n', out) != EOF;
+    bool ok = root && json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) == 0 &&
+              fputc('\n', out) != EOF;
     json_decref(root);
     return ok;
 }

@@ -46,17 +46,19 @@ static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
     fputs("  ", out);
     print_bar(lab->max_score > 0 ? lab->score / lab->max_score : 0, out);
     fprintf(out, " %.2f of %.0f points, %s%s%s", lab->score, lab->max_score,
-            lab->status == LAB_PASSED ? colors->good : colors->bad, result_status_name(lab->status), colors->end);
+            lab->status == LAB_PASSED ? colors->good : colors->bad, result_status_name(lab->status),
+            colors->end);
     if (lab->speed_ratio > 0)
         fprintf(out, "; %.2f times the solution's time", lab->speed_ratio);
     fputs("\n\n", out);
 }
 
 void report_text(const Report *report, FILE *out, bool color) {
-    const Colors colors =
-        color ? (Colors){"\033[32m", "\033[31m", "\033[2m", "\033[1m", "\033[0m"} : (Colors){"", "", "", "", ""};
+    const Colors colors = color ? (Colors){"\033[32m", "\033[31m", "\033[2m", "\033[1m", "\033[0m"}
+                                : (Colors){"", "", "", "", ""};
     for (int i = 0; i < report->lab_count; i++)
         print_lab(&report->labs[i], out, &colors);
     fprintf(out, "%s%.2f of %.0f points%s (seed %llu, %s, %.1f s)\n", colors.bold, result_score(report),
-            result_max_score(report), colors.end, (unsigned long long)report->seed, report->context, report->seconds);
+            result_max_score(report), colors.end, (unsigned long long)report->seed, report->context,
+            report->seconds);
 }

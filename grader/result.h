@@ -10,10 +10,10 @@ enum { RESULT_TEXT = 8000, RESULT_MAX_LABS = 16 };
 
 typedef struct CheckResult {
     const Check *check;
-    double share;  // of the points; the worst variant counts
-    double error;  // inside + outside of that variant (see score.h)
-    int worst;     // that variant
-    bool passed;   // all but a trace of the points
+    double share; // of the points; the worst variant counts
+    double error; // inside + outside of that variant (see score.h)
+    int worst;    // that variant
+    bool passed;  // all but a trace of the points
     bool has_cause;
     char mistake[128], hint[1500];
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
@@ -26,8 +26,8 @@ typedef struct LabResult {
     char name[64]; // the title, a copy
     LabStatus status;
     double score, max_score;
-    double speed_ratio; // CPU time to the solution's, median over the frames; 0 when nothing was drawn
-    char message[RESULT_TEXT];  // what went wrong as a whole, "" when nothing did
+    double speed_ratio;        // CPU time to the solution's, median over the frames; 0 when nothing was drawn
+    char message[RESULT_TEXT]; // what went wrong as a whole, "" when nothing did
     char warnings[RESULT_TEXT]; // gcc's, GL's and remarks about ignored files
     int check_count;
     CheckResult checks[RUBRIC_MAX_CHECKS];

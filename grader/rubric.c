@@ -102,7 +102,8 @@ static const char *read_text(Rubric *rubric, json_t *value) {
     if (json->text_count == TEXTS)
         return NULL;
     char *text = json->texts[json->text_count++] = calloc(size, 1);
-    json_array_foreach(value, i, line) check_append(text, size, "%s%s", i ? "\n" : "", json_string_value(line));
+    json_array_foreach(value, i, line)
+        check_append(text, size, "%s%s", i ? "\n" : "", json_string_value(line));
     return text;
 }
 

@@ -1,4 +1,5 @@
-// What a lab is graded by: solutions/NN-name/rubric.json, mistakes.json, alternatives.json and hints.json, read once.
+// What a lab is graded by: solutions/NN-name/rubric.json, mistakes.json, alternatives.json and hints.json,
+// read once.
 #pragma once
 
 #include "source.h"
@@ -36,10 +37,10 @@ typedef struct Hint {
 
 // All strings belong to the rubric and live until rubric_destroy.
 typedef struct Rubric {
-    char id[3];          // "03"
-    const char *folder;  // solutions/03-shadow-map
+    char id[3];         // "03"
+    const char *folder; // solutions/03-shadow-map
     const char *title;
-    double pass_mark;    // percent of the points
+    double pass_mark;                    // percent of the points
     const char *files[RUBRIC_MAX_FILES]; // what a student hands in; all else is ignored
     int file_count;
     Check checks[RUBRIC_MAX_CHECKS];

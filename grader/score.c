@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-// A picture within FULL of the reference gets all points (an edge drawn in another rounding), one off by ZERO none.
+// A picture within FULL of the reference gets all points (an edge drawn in another rounding), one off by ZERO
+// none.
 static const double FULL = 0.02, ZERO = 0.25;
 
 // A pixel in the mask that is off by this much (of 1) counts as wrong, not as partly right.
@@ -35,7 +36,8 @@ static bool same_size(const Image *a, const Image *b) {
     return a->width == b->width && a->height == b->height && a->rgba && b->rgba;
 }
 
-// Share of the mask's pixels that are wrong. One off by as much as the null picture, or by WHOLLY, is wholly wrong.
+// Share of the mask's pixels that are wrong. One off by as much as the null picture, or by WHOLLY, is wholly
+// wrong.
 static double error_inside(const Image *yours, const Image *reference, const Image *null_image) {
     double error = 0, pixels = 0;
     for (size_t at = 0, end = image_bytes(reference); at < end; at += 4) {
@@ -58,7 +60,8 @@ static double window_error(const Pictures *p, int left, int top) {
     for (int y = top; y < top + SCORE_WINDOW && y < p->reference->height; y++)
         for (int x = left; x < left + SCORE_WINDOW && x < p->reference->width; x++) {
             size_t at = 4 * ((size_t)y * (size_t)p->reference->width + (size_t)x);
-            if (score_pixel(p->without, p->reference, at) > 0 || score_pixel(p->skeleton, p->reference, at) > 0)
+            if (score_pixel(p->without, p->reference, at) > 0 ||
+                score_pixel(p->skeleton, p->reference, at) > 0)
                 continue;
             error += score_pixel(p->yours, p->reference, at);
             count++;
@@ -74,7 +77,8 @@ static double error_outside(const Pictures *p) {
     return worst;
 }
 
-FrameScore score_frame(const Image *yours, const Image *reference, const Image *without, const Image *skeleton) {
+FrameScore score_frame(const Image *yours, const Image *reference, const Image *without,
+                       const Image *skeleton) {
     INVARIANT(same_size(yours, reference) && same_size(reference, without) && same_size(reference, skeleton));
     const Pictures pictures = {yours, reference, without, skeleton};
     FrameScore score = {

@@ -11,18 +11,21 @@ enum {
 };
 
 typedef struct FrameScore {
-    double inside;  // share of wrong pixels among those that the task, or the whole lab, changes: the larger, 0..1
+    double inside;  // share of wrong pixels among those that the task, or the whole lab, changes: the larger,
+                    // 0..1
     double outside; // mean error of the worst window of all other pixels, 0..1
-    double share;   // of the points: 1 for the reference, 0 for the solution without the task and for the skeleton
+    double
+        share; // of the points: 1 for the reference, 0 for the solution without the task and for the skeleton
 } FrameScore;
 
-// Difference of two pixels: the largest channel difference in 0..1, 0 within the tolerance, 1 where just one of them is
-// not finite. Both of the pictures' pixels at byte offset `at`.
+// Difference of two pixels: the largest channel difference in 0..1, 0 within the tolerance, 1 where just one
+// of them is not finite. Both of the pictures' pixels at byte offset `at`.
 double score_pixel(const Image *a, const Image *b, size_t at);
 
-// Scores `yours`. `without` is the picture of the solution without the task in question, `skeleton` that of the skeleton;
-// where they differ from the reference are the two masks. All have one size.
-FrameScore score_frame(const Image *yours, const Image *reference, const Image *without, const Image *skeleton);
+// Scores `yours`. `without` is the picture of the solution without the task in question, `skeleton` that of
+// the skeleton; where they differ from the reference are the two masks. All have one size.
+FrameScore score_frame(const Image *yours, const Image *reference, const Image *without,
+                       const Image *skeleton);
 
 // Share of the pixels in which the two differ, 0..1.
 double score_mask(const Image *reference, const Image *other);

@@ -107,8 +107,8 @@ char *source_select(const char *name, const char *text, Solved solved, bool keep
 char *source_edit(const char *text, const Edit *edit) {
     const char *at = strstr(text, edit->find);
     if (!at || strstr(at + 1, edit->find)) {
-        check_fail("%s: the text to replace stands there %s: %s", edit->file, at ? "more than once" : "nowhere",
-                   edit->find);
+        check_fail("%s: the text to replace stands there %s: %s", edit->file,
+                   at ? "more than once" : "nowhere", edit->find);
         return NULL;
     }
     size_t before = (size_t)(at - text), found = strlen(edit->find), added = strlen(edit->replace);

@@ -6,7 +6,8 @@
 //         TODO(3.1) and a stub
 //     #endif
 //
-// From it come the solution (every task solved), the skeleton (none) and everything between. Plain text, no files.
+// From it come the solution (every task solved), the skeleton (none) and everything between. Plain text, no
+// files.
 #pragma once
 
 #include <stdbool.h>
@@ -21,9 +22,9 @@ typedef struct Edit {
     const char *file, *find, *replace;
 } Edit;
 
-// Returns `text` with each marked block reduced to one half; NULL with a message that names `name` and line when the
-// markers do not fit together. With keep_lines the dropped lines stay as empty ones, so that line numbers are true.
-// The caller frees the result.
+// Returns `text` with each marked block reduced to one half; NULL with a message that names `name` and line
+// when the markers do not fit together. With keep_lines the dropped lines stay as empty ones, so that line
+// numbers are true. The caller frees the result.
 char *source_select(const char *name, const char *text, Solved solved, bool keep_lines);
 
 // Returns `text` with the edit applied; NULL with a message when edit->find is not there exactly once.

@@ -1,8 +1,8 @@
 // worker CONTEXT LAB_FOLDER SHARED_SHADER_FOLDER
 //
-// Loads LAB_FOLDER/lab.so and draws the frames that a client asks for (protocol.h). It never talks to anybody else, so
-// whatever a lab does to its process, the client only sees pixels of known size, an end of file or a silence. With
-// LAB_FOLDER "-" each request names its lab: for ours, which may share a process.
+// Loads LAB_FOLDER/lab.so and draws the frames that a client asks for (protocol.h). It never talks to anybody
+// else, so whatever a lab does to its process, the client only sees pixels of known size, an end of file or a
+// silence. With LAB_FOLDER "-" each request names its lab: for ours, which may share a process.
 #include "context.h"
 #include "host.h"
 #include "protocol.h"
@@ -60,7 +60,8 @@ static void fill_reply(Reply *reply, bool drawn) {
     reply->drawn = drawn;
     snprintf(reply->message, sizeof reply->message, "%s", check_message());
     if (gl_error()[0])
-        check_append(reply->message, sizeof reply->message, "%s%s", reply->message[0] ? "; " : "", gl_error());
+        check_append(reply->message, sizeof reply->message, "%s%s", reply->message[0] ? "; " : "",
+                     gl_error());
     if (glad_glGetString)
         snprintf(reply->renderer, sizeof reply->renderer, "%s / %s", (const char *)glGetString(GL_VERSION),
                  (const char *)glGetString(GL_RENDERER));

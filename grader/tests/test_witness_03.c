@@ -21,10 +21,11 @@ static double shadow_area(const Scene *scene, int first_column) {
     return dark * unit * unit;
 }
 
-// A point light at height H over a plane, a sphere of radius r at distance d whose direction is tilted by theta from the
-// normal: the shadow is an ellipse with the half axes H sin a cos a / Q and H sin a / sqrt Q, sin a = r / d,
-// Q = cos^2 theta - sin^2 a. The mesh is inscribed in the sphere: its silhouette, about a 32-gon, has up to 1.3 % less
-// area. The map's texel (8 units / 2048) may add or take a quarter of itself along the outline (about 5 units): 0.5 %.
+// A point light at height H over a plane, a sphere of radius r at distance d whose direction is tilted by
+// theta from the normal: the shadow is an ellipse with the half axes H sin a cos a / Q and H sin a / sqrt Q,
+// sin a = r / d, Q = cos^2 theta - sin^2 a. The mesh is inscribed in the sphere: its silhouette, about a
+// 32-gon, has up to 1.3 % less area. The map's texel (8 units / 2048) may add or take a quarter of itself
+// along the outline (about 5 units): 0.5 %.
 static void test_sphere(void **unused) {
     (void)unused;
     const float light_height = 4, r = 0.5f;
@@ -48,8 +49,10 @@ static void test_square(void **unused) {
     (void)unused;
     const float light_height = 4, h = 2, side = 1, thickness = 0.001f;
     Scene scene = witness_wall(6, 10, glm_rad(40));
-    witness_add(&scene, SHAPE_BOX, vec3_make(-0.9f, 0, h - thickness), vec3_make(side / 2, side / 2, thickness), 0);
-    witness_light(&scene, LIGHT_SPOT, vec3_make(-3, 0, light_height), vec3_make(1.2f, 0, 0), glm_rad(90), 0, 1, 8);
+    witness_add(&scene, SHAPE_BOX, vec3_make(-0.9f, 0, h - thickness),
+                vec3_make(side / 2, side / 2, thickness), 0);
+    witness_light(&scene, LIGHT_SPOT, vec3_make(-3, 0, light_height), vec3_make(1.2f, 0, 0), glm_rad(90), 0,
+                  1, 8);
     double ratio = light_height / (light_height - h), expected = side * side * ratio * ratio;
     double measured = shadow_area(&scene, SIZE / 2);
     print_message("square: expected %.4f, measured %.4f\n", expected, measured);

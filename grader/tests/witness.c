@@ -39,10 +39,9 @@ Image witness_draw(const char *id, const Scene *scene, const char *view, int wid
 }
 
 Scene witness_wall(float half_size, float distance, float fov_y) {
-    Scene scene = {.camera = {.eye = vec3_make(0, 0, distance),
-                              .fov_y = fov_y,
-                              .near_plane = 0.5f,
-                              .far_plane = 2 * distance}};
+    Scene scene = {
+        .camera = {
+            .eye = vec3_make(0, 0, distance), .fov_y = fov_y, .near_plane = 0.5f, .far_plane = 2 * distance}};
     scene.second_camera = scene.camera;
     witness_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(half_size, 1, half_size), 0);
     scene.objects[0].world_from_object =

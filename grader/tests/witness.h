@@ -3,8 +3,8 @@
 
 #include "exam.h"
 
-// Draws `scene` with the solution of lab `id`: `view` is "picture", "visibility" or a stage. Knobs: pairs of a name and
-// a value, NULL for none. Fails the test when nothing is drawn. The caller destroys the image.
+// Draws `scene` with the solution of lab `id`: `view` is "picture", "visibility" or a stage. Knobs: pairs of
+// a name and a value, NULL for none. Fails the test when nothing is drawn. The caller destroys the image.
 typedef struct WitnessKnob {
     const char *name;
     float value;
@@ -12,8 +12,8 @@ typedef struct WitnessKnob {
 Image witness_draw(const char *id, const Scene *scene, const char *view, int width, int height,
                    const WitnessKnob *knobs, int knob_count);
 
-// A white wall in the plane z = 0 that faces +z, half_size wide, seen straight on from (0, 0, distance) so that one
-// world unit of the wall covers the same number of pixels everywhere. No light yet.
+// A white wall in the plane z = 0 that faces +z, half_size wide, seen straight on from (0, 0, distance) so
+// that one world unit of the wall covers the same number of pixels everywhere. No light yet.
 Scene witness_wall(float half_size, float distance, float fov_y);
 
 // World units of the wall per pixel of a picture `height` pixels high.

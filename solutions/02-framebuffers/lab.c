@@ -1,4 +1,5 @@
-// Lab 02: framebuffers. Draw the scene into a texture and show the texture on a screen that stands in the scene.
+// Lab 02: framebuffers. Draw the scene into a texture and show the texture on a screen that stands in the
+// scene.
 #include "lab.h"
 
 enum { KNOB_TEXTURE_SIZE, KNOB_FULL_SCREEN };
@@ -29,9 +30,9 @@ static bool create_color_target(void) {
     glDrawBuffers(1, (GLenum[]){GL_COLOR_ATTACHMENT0});
     return gl_check_framebuffer("colour target");
 #else
-    // TODO(2.1): make a colour texture (GL_RGBA8, GL_LINEAR) and a depth renderbuffer (GL_DEPTH_COMPONENT24), both
-    // state.size x state.size, and attach them to a new framebuffer.
-    // Look up: glTexImage2D, glRenderbufferStorage, glFramebufferTexture2D, glFramebufferRenderbuffer, glDrawBuffers.
+    // TODO(2.1): make a colour texture (GL_RGBA8, GL_LINEAR) and a depth renderbuffer (GL_DEPTH_COMPONENT24),
+    // both state.size x state.size, and attach them to a new framebuffer. Look up: glTexImage2D,
+    // glRenderbufferStorage, glFramebufferTexture2D, glFramebufferRenderbuffer, glDrawBuffers.
     return true; // then: return gl_check_framebuffer("colour target");
 #endif
 }
@@ -40,8 +41,8 @@ static bool create_depth_target(void) {
 #ifdef SOLUTION // 2.4
     glGenTextures(1, &state.depth_texture);
     glBindTexture(GL_TEXTURE_2D, state.depth_texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, state.size, state.size, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                 NULL);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, state.size, state.size, 0, GL_DEPTH_COMPONENT,
+                 GL_FLOAT, NULL);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 
@@ -52,8 +53,9 @@ static bool create_depth_target(void) {
     glReadBuffer(GL_NONE);
     return gl_check_framebuffer("depth target");
 #else
-    // TODO(2.4): make a depth texture (GL_DEPTH_COMPONENT24, GL_NEAREST), state.size x state.size, and attach it to a
-    // new framebuffer that has no colour at all. Look up: glTexImage2D, glFramebufferTexture2D, glDrawBuffer.
+    // TODO(2.4): make a depth texture (GL_DEPTH_COMPONENT24, GL_NEAREST), state.size x state.size, and attach
+    // it to a new framebuffer that has no colour at all. Look up: glTexImage2D, glFramebufferTexture2D,
+    // glDrawBuffer.
     return true; // then: return gl_check_framebuffer("depth target");
 #endif
 }
@@ -88,8 +90,9 @@ static void draw_into_color_texture(const Frame *frame) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     draw_second_view(frame);
 #else
-    // TODO(2.2): bind the colour framebuffer, set the viewport to all of the texture, clear colour (to 0.8, 0.85, 0.9)
-    // and depth, and call draw_second_view(frame). Look up: glBindFramebuffer, glViewport, glClear.
+    // TODO(2.2): bind the colour framebuffer, set the viewport to all of the texture, clear colour (to 0.8,
+    // 0.85, 0.9) and depth, and call draw_second_view(frame). Look up: glBindFramebuffer, glViewport,
+    // glClear.
     (void)frame, (void)draw_second_view;
 #endif
 }
@@ -111,10 +114,11 @@ static void draw_picture(const Frame *frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
     glViewport(0, 0, frame->width, frame->height);
 #else
-    // TODO(2.3): back to the picture: bind frame->framebuffer and set the viewport to frame->width x frame->height.
-    // (Until 2.2 and 2.4 are done the picture is still bound and all seems well.)
+    // TODO(2.3): back to the picture: bind frame->framebuffer and set the viewport to frame->width x
+    // frame->height. (Until 2.2 and 2.4 are done the picture is still bound and all seems well.)
 #endif
-    const Program *program = &frame->programs[frame->knobs[KNOB_FULL_SCREEN] > 0 ? PROGRAM_DEPTH_VIEW : PROGRAM_SCREEN];
+    const Program *program =
+        &frame->programs[frame->knobs[KNOB_FULL_SCREEN] > 0 ? PROGRAM_DEPTH_VIEW : PROGRAM_SCREEN];
     if (frame->knobs[KNOB_FULL_SCREEN] > 0) {
         glDisable(GL_DEPTH_TEST);
         program_set_texture(program, "u_depth_texture", 0, GL_TEXTURE_2D, state.depth_texture);

@@ -14,8 +14,8 @@ static bool create(const Frame *frame) {
 #ifdef SOLUTION // 3.1
     glGenTextures(1, &state.map_texture);
     glBindTexture(GL_TEXTURE_2D, state.map_texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, state.size, state.size, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                 NULL);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, state.size, state.size, 0, GL_DEPTH_COMPONENT,
+                 GL_FLOAT, NULL);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 
@@ -25,8 +25,9 @@ static bool create(const Frame *frame) {
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
 #else
-    // TODO(3.1): make a depth texture (GL_DEPTH_COMPONENT24, GL_NEAREST), state.size x state.size, and a framebuffer
-    // that has it as its depth and no colour. Look up: glTexImage2D, glFramebufferTexture, glDrawBuffer.
+    // TODO(3.1): make a depth texture (GL_DEPTH_COMPONENT24, GL_NEAREST), state.size x state.size, and a
+    // framebuffer that has it as its depth and no colour. Look up: glTexImage2D, glFramebufferTexture,
+    // glDrawBuffer.
 #endif
 #ifdef SOLUTION // 3.6
     glBindTexture(GL_TEXTURE_2D, state.map_texture);
@@ -34,8 +35,8 @@ static bool create(const Frame *frame) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
     glTexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, (float[]){1, 1, 1, 1});
 #else
-    // TODO(3.6): what lies outside the map is lit: let the texture return the depth 1 there. Look up: glTexParameteri
-    // with GL_TEXTURE_WRAP_S, glTexParameterfv with GL_TEXTURE_BORDER_COLOR.
+    // TODO(3.6): what lies outside the map is lit: let the texture return the depth 1 there. Look up:
+    // glTexParameteri with GL_TEXTURE_WRAP_S, glTexParameterfv with GL_TEXTURE_BORDER_COLOR.
 #endif
     return !state.map_framebuffer || gl_check_framebuffer("shadow map");
 }
@@ -55,9 +56,9 @@ static mat4s light_clip_from_world(const Light *light) {
     if (light->kind == LIGHT_SPOT)
         clip_from_light = glms_perspective(light->fov_y, 1, light->near_plane, light->far_plane);
 #else
-    // TODO(3.2): light_from_world: the light stands at light->position and looks at light->target. For a LIGHT_SPOT,
-    // clip_from_light is a perspective projection with the light's fov_y and planes. Look up: glms_lookat,
-    // glms_perspective.
+    // TODO(3.2): light_from_world: the light stands at light->position and looks at light->target. For a
+    // LIGHT_SPOT, clip_from_light is a perspective projection with the light's fov_y and planes. Look up:
+    // glms_lookat, glms_perspective.
 #endif
 #ifdef SOLUTION // 3.3
     float r = light->half_size;
@@ -81,8 +82,9 @@ static void draw_map(const Frame *frame) {
     glClear(GL_DEPTH_BUFFER_BIT);
     draw_scene(frame, &frame->programs[PROGRAM_DEPTH], light_clip_from_world(light), light->position);
 #else
-    // TODO(3.4): bind the map's framebuffer, set the viewport to the size of the map, clear its depth and draw the
-    // scene with PROGRAM_DEPTH and the light's matrix. Look up: glViewport, glClear, draw_scene in common/draw.h.
+    // TODO(3.4): bind the map's framebuffer, set the viewport to the size of the map, clear its depth and
+    // draw the scene with PROGRAM_DEPTH and the light's matrix. Look up: glViewport, glClear, draw_scene in
+    // common/draw.h.
     (void)light;
 #endif
     glDisable(GL_POLYGON_OFFSET_FILL);
