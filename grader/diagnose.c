@@ -48,24 +48,22 @@ static bool wants_cause(const CheckResult *check) {
     return !check->passed && check->yours[0].rgba;
 }
 
-// A mistake's distance to all failed checks together.
-static double total(const LabResult *result, const Distances *distances, int m) {
-    double sum = 0;
-    for (int c = 0; c < result->check_count; c++)
-        if (wants_cause(&result->checks[c]))
-            sum += m < 0 ? distances[c].to_reference : distances[c].to_mistake[m];
-    return sum;
-}
-
 // The mistake that explains every failed check, or -1.
 static int find_common(const LabResult *result, const Distances *distances, int mistakes) {
     int best = -1;
-    double nearest = NEAR * total(result, distances, -1);
-    for (int m = 0; m < mistakes; m++)
-        if (total(result, distances, m) < nearest) {
-            nearest = total(result, distances, m);
+    double nearest = INFINITY;
+    for (int m = 0; m < mistakes; m++) {
+        double sum = 0;
+        for (int c = 0; c < result->check_count; c++)
+            if (wants_cause(&result->checks[c])) {
+                bool near = distances[c].to_mistake[m] <= NEAR * distances[c].to_reference;
+                sum += near ? distances[c].to_mistake[m] : INFINITY;
+            }
+        if (sum < nearest) {
+            nearest = sum;
             best = m;
         }
+    }
     return best;
 }
 
@@ -98,7 +96,7 @@ static void explain(CheckResult *check, const Distances *distances, int common, 
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task,
                  alone ? "" : " or one before it");
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
-    } else if (own >= 0) {
+    } else if (own >= 0 && (common >= 0 || !error_kind_is_plain(&check->yours[check->worst]))) {
         name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
     } else {
         const Variant *variant = &exam->variants[check->check - rubric->checks][check->worst];

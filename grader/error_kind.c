@@ -28,7 +28,7 @@ static Tally tally(const Image *yours, const Image *reference) {
     return sum;
 }
 
-static bool is_plain(const Image *image) {
+bool error_kind_is_plain(const Image *image) {
     for (size_t at = 4; at < image_bytes(image); at += 4)
         if (memcmp(image->rgba, image->rgba + at, 3) != 0)
             return false;
@@ -54,7 +54,7 @@ void error_kind(char *text, size_t size, const Image *yours, const Image *refere
     Tally sum = tally(yours, reference);
     double wrong = sum.darker + sum.lighter + sum.other, pixels = (double)yours->width * yours->height;
     text[0] = '\0';
-    if (is_plain(yours)) {
+    if (error_kind_is_plain(yours)) {
         check_append(text, size, "nothing drawn: the whole picture has one colour");
         return;
     }

@@ -28,7 +28,8 @@ static void set_limit(int resource, rlim_t value) {
 
 static void set_limits(const ProcessLimits *limits) {
     const rlim_t mib = 1024 * 1024;
-    set_limit(RLIMIT_CPU, limits->cpu_seconds);
+    if (limits->cpu_seconds) // the soft limit says SIGXCPU, the hard one SIGKILL
+        setrlimit(RLIMIT_CPU, &(struct rlimit){limits->cpu_seconds, limits->cpu_seconds + 1});
     set_limit(RLIMIT_AS, limits->memory_mib * mib);
     set_limit(RLIMIT_FSIZE, limits->file_mib * mib);
     set_limit(RLIMIT_NPROC, limits->processes);
@@ -139,22 +140,26 @@ static void kill_all(Process *process) {
     collect(process);
 }
 
+// Waits for the end of the process itself, which has closed its output.
+static void wait_for_end(Process *process) {
+    siginfo_t info = {0};
+    while (waitid(P_PID, (id_t)process->pid, &info, WEXITED | WNOWAIT | WNOHANG) == 0 && info.si_pid == 0 &&
+           process_now() < process->deadline)
+        usleep(500);
+    if (info.si_pid == 0)
+        process->state = PROCESS_TIMED_OUT;
+    else
+        collect(process);
+}
+
 // The process has closed its replies: it is ending. Give it until the deadline to do so, then collect it.
 static void reap(Process *process) {
     while (process->state == PROCESS_RUNNING && process->pid > 0) {
         struct pollfd events[3] = {{.fd = process->output, .events = POLLIN}, {.fd = -1}, {.fd = -1}};
-        if (!wait_for_event(process, events))
+        if (process->output >= 0 && !wait_for_event(process, events))
             break;
-        if (!take_output(process)) {
-            siginfo_t info;
-            while (waitid(P_PID, (id_t)process->pid, &info, WEXITED | WNOWAIT | WNOHANG) == 0 &&
-                   info.si_pid == 0 && process_now() < process->deadline)
-                usleep(500);
-            if (process_now() >= process->deadline)
-                process->state = PROCESS_TIMED_OUT;
-            else
-                collect(process);
-        }
+        if (process->output < 0 || !take_output(process))
+            wait_for_end(process);
     }
     if (process->state == PROCESS_RUNNING)
         process->state = PROCESS_ENDED;
