@@ -17,7 +17,8 @@ static bool open_display(void) {
     // Without a display glad knows the version only as 1.0 and leaves this function of 1.5 out.
     PFNEGLGETPLATFORMDISPLAYPROC get_display =
         (PFNEGLGETPLATFORMDISPLAYPROC)eglGetProcAddress("eglGetPlatformDisplay");
-    display = get_display ? get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL) : EGL_NO_DISPLAY;
+    display =
+        get_display ? get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL) : EGL_NO_DISPLAY;
     if (display == EGL_NO_DISPLAY || !eglInitialize(display, NULL, NULL) || !gladLoaderLoadEGL(display))
         return check_fail(
             "EGL has no surfaceless display; install libgl1-mesa-dri or choose --context osmesa");

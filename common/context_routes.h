@@ -3,7 +3,10 @@
 
 #include <stdbool.h>
 
+// OSMesa, by dlopen.
 bool context_osmesa_create(void);
 void context_osmesa_destroy(void);
+
+// EGL without a surface, by glad's loader.
 bool context_egl_create(void);
 void context_egl_destroy(void);

@@ -21,10 +21,13 @@ size_t image_bytes(const Image *image) {
 }
 
 bool image_copy(Image *copy, const Image *image) {
-    image_destroy(copy);
-    if (!image_create(copy, image->width, image->height))
+    INVARIANT(copy != image);
+    Image made;
+    if (!image_create(&made, image->width, image->height))
         return false;
-    memcpy(copy->rgba, image->rgba, image_bytes(image));
+    memcpy(made.rgba, image->rgba, image_bytes(image));
+    image_destroy(copy);
+    *copy = made;
     return true;
 }
 

@@ -11,6 +11,7 @@ typedef struct Image {
     uint8_t *rgba; // width * height * 4 bytes, owned
 } Image;
 
+// Black, with alpha 0. False when there is no memory.
 bool image_create(Image *image, int width, int height);
 void image_destroy(Image *image); // accepts a zeroed image
 

@@ -26,5 +26,6 @@ typedef struct Mesh {
     int vertex_count, index_count;
 } Mesh;
 
+// Makes a unit shape. False when there is no memory.
 bool mesh_create(Mesh *mesh, Shape shape);
 void mesh_destroy(Mesh *mesh); // accepts a zeroed mesh

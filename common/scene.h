@@ -55,6 +55,7 @@ bool scene_make(Scene *scene, const char *name, Random *random);
 // Name of the i-th scene, NULL past the last.
 const char *scene_name(int i);
 
+// From the world to the camera, which looks along -z there.
 mat4s camera_view_from_world(const Camera *camera);
 
 // aspect = width / height of the picture.

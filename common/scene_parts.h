@@ -17,6 +17,7 @@ extern const SceneMaker scenes_random[];    // wide penumbrae, what an early-out
 extern const SceneMaker scenes_volumes[];   // closed casters, an eye in the shadow
 extern const SceneMaker scenes_occlusion[]; // corners and contacts under a wide sky
 
+// Neither black nor white.
 vec3s part_color(Random *random);
 
 // A point at `distance` from `target`: azimuth about +y from +z, elevation above the horizon, in degrees.
@@ -31,6 +32,7 @@ Object *part_object(Scene *scene, Shape shape, vec3s center, vec3s half_size, fl
 // A square floor at y = 0 without highlights.
 Object *part_floor(Scene *scene, float half_size, Random *random);
 
+// A light that reaches from 4 to 16 units before it, with room for the table in its map.
 Light *part_light(Scene *scene, LightKind kind, vec3s position, vec3s target);
 
 // A place for a light above the origin: behind the casters as the camera sees them, left or right, so that

@@ -23,7 +23,8 @@ static Tally tally(const Image *yours, const Image *reference) {
         int difference = brightness(yours, at) - brightness(reference, at);
         *(difference < -6 ? &sum.darker : difference > 6 ? &sum.lighter : &sum.other) += 1;
         sum.x += (double)(at / 4 % (size_t)yours->width) + 0.5;
-        sum.y += (double)(at / 4 / (size_t)yours->width) + 0.5;
+        size_t row = at / 4 / (size_t)yours->width;
+        sum.y += (double)row + 0.5;
     }
     return sum;
 }

@@ -13,6 +13,7 @@ char *files_read(const char *path, size_t limit);
 // device.
 char *files_read_strange(const char *folder, const char *name, size_t limit);
 
+// Replaces the file. False with a message.
 bool files_write(const char *path, const char *text);
 bool files_exists(const char *path);
 

@@ -183,14 +183,14 @@ static int finish(Run *run) {
 }
 
 int main(int count, char **arguments) {
-    Options options;
+    static Options options;
     if (!parse(&options, count, arguments)) {
         fprintf(stderr, "grade: %s\n%s", check_message(), usage);
         return EXIT_USAGE;
     }
     signal(SIGPIPE, SIG_IGN);
     static Run run;
-    run.options = &options;
+    run = (Run){.options = &options};
     if (!options.seeded)
         INVARIANT(getrandom(&options.grade.seed, sizeof options.grade.seed, 0) == sizeof options.grade.seed);
     run.report = (Report){.seed = options.grade.seed,

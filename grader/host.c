@@ -26,8 +26,9 @@ static bool load_lab(HostedLab *hosted) {
 }
 
 static bool load_programs(HostedLab *hosted) {
-    for (const ProgramFiles *files = hosted->lab->programs; files->vertex; files++) {
-        if (!program_create(&hosted->programs[hosted->program_count], files))
+    INVARIANT(hosted->lab);
+    for (int i = 0; i < LAB_MAX_PROGRAMS && hosted->lab->programs[i].vertex; i++) {
+        if (!program_create(&hosted->programs[i], &hosted->lab->programs[i]))
             return false;
         hosted->program_count++;
     }
@@ -84,13 +85,20 @@ static bool take_knobs(const Lab *lab, const Request *request, float *knobs) {
     return true;
 }
 
+static bool same_knobs(const float *a, const float *b) {
+    for (int i = 0; i < LAB_MAX_KNOBS; i++)
+        if (a[i] != b[i])
+            return false;
+    return true;
+}
+
 // The lab's resources fit one size and one setting of the knobs.
 static bool ensure_created(HostedLab *hosted, const Request *request, Frame *frame) {
     float knobs[LAB_MAX_KNOBS] = {0};
     if (!take_knobs(hosted->lab, request, knobs))
         return false;
     bool fits = hosted->created && !request->fresh && hosted->picture.width == request->width &&
-                hosted->picture.height == request->height && memcmp(knobs, hosted->knobs, sizeof knobs) == 0;
+                hosted->picture.height == request->height && same_knobs(knobs, hosted->knobs);
     memcpy(hosted->knobs, knobs, sizeof knobs);
     if (fits) {
         frame->framebuffer = hosted->picture.framebuffer;
@@ -137,7 +145,7 @@ static void quantise(const float *colors, uint8_t *pixels, int width, int height
             uint8_t *to = pixels + 4 * ((size_t)y * (size_t)width + (size_t)x);
             bool finite = isfinite(from[0]) && isfinite(from[1]) && isfinite(from[2]);
             for (int c = 0; c < 3; c++)
-                to[c] = finite ? (uint8_t)(fminf(fmaxf(from[c], 0), 1) * 255 + 0.5f) : 0;
+                to[c] = finite ? (uint8_t)lrintf(fminf(fmaxf(from[c], 0), 1) * 255) : 0;
             to[3] = finite ? 255 : 0;
         }
 }

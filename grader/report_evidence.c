@@ -10,6 +10,7 @@
 
 // The reference in dim grey; too bright in yellow, too dark in blue, another colour in magenta.
 static void mark_difference(Image *difference, const Image *yours, const Image *reference) {
+    static const uint8_t brighter[3] = {255, 208, 32}, darker[3] = {48, 112, 255}, other[3] = {255, 48, 255};
     for (size_t at = 0; at < image_bytes(yours); at += 4) {
         const uint8_t *a = yours->rgba + at, *b = reference->rgba + at;
         int change = a[0] + a[1] + a[2] - b[0] - b[1] - b[2];
@@ -18,7 +19,7 @@ static void mark_difference(Image *difference, const Image *yours, const Image *
         memset(to, grey, 3);
         to[3] = 255;
         if (score_pixel(yours, reference, at) > 0)
-            memcpy(to, change > 6 ? "\xff\xd0\x20" : change < -6 ? "\x30\x70\xff" : "\xff\x30\xff", 3);
+            memcpy(to, change > 6 ? brighter : change < -6 ? darker : other, 3);
     }
 }
 

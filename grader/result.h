@@ -42,6 +42,7 @@ typedef struct Report {
     LabResult *labs; // RESULT_MAX_LABS, owned
 } Report;
 
+// As in the JSON: "passed", ...
 const char *result_status_name(LabStatus status);
 double result_points(const CheckResult *check); // rounded to hundredths
 double result_score(const Report *report);

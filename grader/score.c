@@ -90,7 +90,7 @@ FrameScore score_frame(const Image *yours, const Image *reference, const Image *
 }
 
 double score_mask(const Image *reference, const Image *other) {
-    return (double)score_count(reference, other) / (double)(image_bytes(reference) / 4);
+    return (double)score_count(reference, other) / ((double)image_bytes(reference) / 4);
 }
 
 double score_rmse(const Image *a, const Image *b) {
@@ -120,7 +120,7 @@ void score_fill(Image *image, const uint8_t rgb[3]) {
 }
 
 void score_mean_color(const Image *image, uint8_t rgb[3]) {
-    double sum[3] = {0}, pixels = (double)(image_bytes(image) / 4);
+    double sum[3] = {0}, pixels = (double)image_bytes(image) / 4;
     for (size_t at = 0; at < image_bytes(image); at += 4)
         for (int c = 0; c < 3; c++)
             sum[c] += image->rgba[at + (size_t)c];

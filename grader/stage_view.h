@@ -11,6 +11,7 @@ typedef struct StageView {
     GLuint sampler; // nearest, without depth comparison, whatever the lab has set on its texture
 } StageView;
 
+// Once per context. False with a message.
 bool stage_view_create(StageView *view);
 
 // Fills `target` with the texture: colour as it is, depth as grey. Magenta when there is no such 2D texture.

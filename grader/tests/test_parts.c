@@ -44,7 +44,8 @@ static double volume(Shape shape) {
     double sum = 0;
     assert_true(mesh_create(&mesh, shape));
     for (int i = 0; i < mesh.index_count; i += 3)
-        sum += glms_vec3_dot(corner(&mesh, i), glms_vec3_cross(corner(&mesh, i + 1), corner(&mesh, i + 2))) / 6;
+        sum +=
+            glms_vec3_dot(corner(&mesh, i), glms_vec3_cross(corner(&mesh, i + 1), corner(&mesh, i + 2))) / 6;
     mesh_destroy(&mesh);
     return sum;
 }
@@ -53,7 +54,8 @@ static void test_meshes(void **unused) {
     (void)unused;
     assert_true(fabs(volume(SHAPE_BOX) - 8) < 1e-5);
     double sphere = 4 * GLM_PI / 3, measured = volume(SHAPE_SPHERE);
-    assert_true(measured < sphere && measured > 0.97 * sphere); // inscribed: 32 slices lose 0.6 %, 16 stacks 1.3 %
+    assert_true(measured < sphere &&
+                measured > 0.97 * sphere); // inscribed: 32 slices lose 0.6 %, 16 stacks 1.3 %
 }
 
 static void test_scenes(void **unused) {
@@ -61,7 +63,8 @@ static void test_scenes(void **unused) {
     for (int i = 0; scene_name(i); i++) {
         Scene a, b, c;
         memset(&a, 0, sizeof a), memset(&b, 0, sizeof b), memset(&c, 0, sizeof c);
-        assert_true(scene_make(&a, scene_name(i), &(Random){5}) && scene_make(&b, scene_name(i), &(Random){5}) &&
+        assert_true(scene_make(&a, scene_name(i), &(Random){5}) &&
+                    scene_make(&b, scene_name(i), &(Random){5}) &&
                     scene_make(&c, scene_name(i), &(Random){6}));
         assert_memory_equal(&a, &b, sizeof a);
         assert_true(memcmp(&a, &c, sizeof a) != 0);
@@ -95,9 +98,10 @@ static void test_shader_files(void **unused) {
     shader_source_map_log(&source, "1:2(5): error: x\n0:3(1): warning: y\nelse\n", mapped, sizeof mapped);
     assert_string_equal(mapped, "b.glsl:2:5: error: x\na.frag:3:1: warning: y\nelse\n");
     shader_source_destroy(&source);
-    static const char *const refused[][2] = {{"old.frag", "old.frag:1: the first line must be: #version 410 core"},
-                                             {"up.frag", "up.frag:2: #include takes one plain file name"},
-                                             {"none.frag", "none.frag: there is no such shader file"}};
+    static const char *const refused[][2] = {
+        {"old.frag", "old.frag:1: the first line must be: #version 410 core"},
+        {"up.frag", "up.frag:2: #include takes one plain file name"},
+        {"none.frag", "none.frag: there is no such shader file"}};
     for (int i = 0; i < 3; i++) {
         check_clear();
         assert_false(shader_source_load(&source, refused[i][0]));
@@ -120,19 +124,23 @@ static void test_rubric(void **unused) {
     Rubric rubric;
     check_clear();
     assert_true(files_make_temporary(folder));
-    write_file(folder, "mistakes.json", "[{\"name\": \"m\", \"edits\": [{\"file\": \"a\", \"find\": [\"x\", \"y\"], "
-                                        "\"replace\": \"z\"}]}]");
+    write_file(folder, "mistakes.json",
+               "[{\"name\": \"m\", \"edits\": [{\"file\": \"a\", \"find\": [\"x\", \"y\"], "
+               "\"replace\": \"z\"}]}]");
     write_file(folder, "alternatives.json", "[]");
     write_file(folder, "hints.json", "{\"3.1\": [\"first\", \"second\"]}");
     refuse_rubric(folder, "{", "rubric.json:1:");
     refuse_rubric(folder, "{\"title\": \"t\"}", "needs \"title\", \"pass_mark\" and \"checks\"");
-    refuse_rubric(folder, "{\"title\": \"t\", \"pass_mark\": 95, \"checks\": [{\"name\": \"c\"}]}", "entry 1 needs");
+    refuse_rubric(folder, "{\"title\": \"t\", \"pass_mark\": 95, \"checks\": [{\"name\": \"c\"}]}",
+                  "entry 1 needs");
     refuse_rubric(folder,
-                  "{\"title\": \"t\", \"pass_mark\": 95, \"files\": [\"../x\"], \"checks\": [{\"name\": \"c\", \"task\": "
+                  "{\"title\": \"t\", \"pass_mark\": 95, \"files\": [\"../x\"], \"checks\": [{\"name\": "
+                  "\"c\", \"task\": "
                   "\"3.1\", \"view\": \"picture\", \"scene\": \"s\", \"points\": 5, \"variants\": 3}]}",
                   "plain names");
     write_file(folder, "rubric.json",
-               "{\"title\": \"t\", \"pass_mark\": 95, \"files\": [\"lab.c\"], \"checks\": [{\"name\": \"c\", \"task\": "
+               "{\"title\": \"t\", \"pass_mark\": 95, \"files\": [\"lab.c\"], \"checks\": [{\"name\": \"c\", "
+               "\"task\": "
                "\"3.1\", \"view\": \"picture\", \"scene\": \"s\", \"points\": 5, \"variants\": 3}]}");
     check_clear();
     assert_true(rubric_load(&rubric, folder));
@@ -215,9 +223,9 @@ static void test_error_kinds(void **unused) {
 
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random), cmocka_unit_test(test_meshes),    cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_rubric), cmocka_unit_test(test_processes), cmocka_unit_test(test_shader_files),
-        cmocka_unit_test(test_error_kinds)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random),     cmocka_unit_test(test_meshes),
+                                       cmocka_unit_test(test_scenes),     cmocka_unit_test(test_rubric),
+                                       cmocka_unit_test(test_processes),  cmocka_unit_test(test_shader_files),
+                                       cmocka_unit_test(test_error_kinds)};
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }

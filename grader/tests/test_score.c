@@ -54,10 +54,12 @@ static void test_extremes(void **unused) {
 
 static void test_partial(void **unused) {
     (void)unused;
-    // A quarter of the bar missing: inside is 1/4. Bar 4 columns too wide: 4 of 16 columns of a window are wrong.
+    // A quarter of the bar missing: inside is 1/4. Bar 4 columns too wide: 4 of 16 columns of a window are
+    // wrong.
     assert_true(fabs(score_bar(16, 28, 0).inside - 0.25) < 1e-12);
     assert_true(fabs(score_bar(16, 36, 0).outside - 0.25) < 1e-12);
-    // Within the tolerance of 2/255 nothing is wrong; a tenth of the way from 0 to 13/255 in between is linear.
+    // Within the tolerance of 2/255 nothing is wrong; a tenth of the way from 0 to 13/255 in between is
+    // linear.
     assert_true(score_bar(16, 32, 2).inside == 0);
     assert_true(fabs(score_bar(16, 32, 6).inside - 6 / (0.05 * 255)) < 1e-9);
     assert_true(score_bar(16, 32, 13).inside == 1);
@@ -140,8 +142,8 @@ static void test_imagemagick(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_extremes),     cmocka_unit_test(test_partial),
-        cmocka_unit_test(test_not_finite),   cmocka_unit_test(test_more_broken_never_more),
+        cmocka_unit_test(test_extremes),    cmocka_unit_test(test_partial),
+        cmocka_unit_test(test_not_finite),  cmocka_unit_test(test_more_broken_never_more),
         cmocka_unit_test(test_imagemagick), cmocka_unit_test(test_other_colour_does_not_outweigh),
     };
     return cmocka_run_group_tests_name("score", tests, NULL, NULL);

@@ -58,7 +58,8 @@ static void test_refused(void **unused) {
     (void)unused;
     refuse("x\n#ifdef SOLUTION // 3.1\ny\n", "file.c:2: this SOLUTION block has no #endif");
     refuse("#ifdef SOLUTION\ny\n#endif\n", "file.c:1: expected a task id");
-    refuse("#ifdef SOLUTION // 3.1\n#ifdef SOLUTION // 3.2\n#endif\n#endif\n", "file.c:2: a SOLUTION block inside");
+    refuse("#ifdef SOLUTION // 3.1\n#ifdef SOLUTION // 3.2\n#endif\n#endif\n",
+           "file.c:2: a SOLUTION block inside");
 }
 
 static void test_edit(void **unused) {
