@@ -49,6 +49,10 @@ table: build ## prove the rubrics and put the table into grader/README.md
 test: build $(TESTS) ## run all tests
 	@grader/tests/run $(BUILD)
 
+sanitize: ## the tests under AddressSanitizer and UBSan, but for the proof of the rubrics
+	@$(MAKE) --no-print-directory BUILD=build-sanitize CFLAGS="-O1 -g" \
+		SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=undefined" QUICK=1 test
+
 check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 	@grader/gates $(BUILD)
 
@@ -85,6 +89,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: build grade demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: sanitize build grade demo hint skeletons pictures table test check bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
