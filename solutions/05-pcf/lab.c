@@ -78,13 +78,13 @@ static void draw_map(const Frame *frame) {
     shadow_map_begin(&state.map);
     glEnable(GL_POLYGON_OFFSET_FILL);
 #ifdef SOLUTION // 5.6
-    glPolygonOffset(2 * reach, 4);
+    glPolygonOffset(2 * reach, 2);
 #else
     // TODO(5.6), second part: from a point to a texel `reach` away in x and in y, the depth of a plane
     // changes by up to reach * (|dz/dx| + |dz/dy|). One unit of the factor gives max(|dz/dx|, |dz/dy|). Which
     // factor is always enough?
     (void)reach;
-    glPolygonOffset(1, 4);
+    glPolygonOffset(1, 2);
 #endif
     draw_scene(frame, &frame->programs[PROGRAM_DEPTH], shadow_map_clip_from_world(light), light->position);
     glDisable(GL_POLYGON_OFFSET_FILL);
