@@ -59,7 +59,7 @@ static void draw_map(const Frame *frame) {
     // changes by up to reach * (|dz/dx| + |dz/dy|). One unit of the factor gives max(|dz/dx|, |dz/dy|). Which
     // factor is always enough?
     (void)reach;
-    glPolygonOffset(1, 4);
+    glPolygonOffset(1, 2);
     draw_scene(frame, &frame->programs[PROGRAM_DEPTH], shadow_map_clip_from_world(light), light->position);
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
