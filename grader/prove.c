@@ -128,16 +128,17 @@ static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof)
     static const char *const kinds[] = {"solution", "skeleton", "mistake", "alternative"};
     for (int i = 0; i < count; i++) {
         const Row *row = &rows[i];
-        bool right = row->right == row->seeds;
+        bool right = row->seeds == proof->seeds && row->right == row->seeds;
         proof->passed += right;
         proof->failed += !right;
         client_stop(&rows[i].contender);
         printf("| %s | %s | %s | %.0f | %.0f | %s%s%s |\n", rubric->id, kinds[row->kind],
                row->change ? row->change->name : "", row->lowest, row->highest,
                right ? (row->kind == KIND_MISTAKE ? "named" : "as it should be") : "WRONG: ",
-               right           ? ""
-               : row->other[0] ? row->other
-                               : "not below the pass mark",
+               right                       ? ""
+               : row->other[0]             ? row->other
+               : row->seeds < proof->seeds ? "not drawn"
+                                           : "not below the pass mark",
                "");
     }
 }

@@ -72,7 +72,8 @@ sed -i 's|o_color = vec4(ambient + lit|o_color = vec4(sqrt(-1.0 - ambient) + lit
 case_ not-a-number 1 "some pixels are not finite numbers"
 
 put memory 'for (volatile char *p;;) { p = malloc(1 << 26); for (int i = 0; i < 1 << 26; i += 4096) p[i] = 1; }'
-case_ memory 1 "it crashed: Segmentation fault" "memory ends at 2048 MiB"
+[[ -n ${QUICK:-} ]] || # a sanitizer needs more addresses than a limit would leave
+    case_ memory 1 "it crashed: Segmentation fault" "memory ends at 2048 MiB"
 
 put flood 'for (;;) puts("all work and no play");'
 case_ flood 1 "it printed more than 4 MiB and was stopped"
