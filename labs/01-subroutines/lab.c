@@ -1,4 +1,4 @@
-// Lab 01: subroutines. Each half of the picture is shaded by other functions of the same program, chosen at run time.
+// Lab 01: subroutines. The two halves of the picture are shaded by different functions of one program.
 #include "lab.h"
 
 enum { KNOB_LEFT_MODEL, KNOB_RIGHT_MODEL, KNOB_FINISH };
@@ -16,11 +16,11 @@ static const char *finish_of(const Frame *frame) {
     return finishes[(int)frame->knobs[KNOB_FINISH]];
 }
 
-// Enters `function` of the fragment shader into the array of glUniformSubroutinesuiv, for the subroutine uniform
-// `uniform`. Changes nothing where the program has no such uniform.
+// Enters `function` of the fragment shader into the array of glUniformSubroutinesuiv, for the subroutine
+// uniform `uniform`. Changes nothing where the program has no such uniform.
 static void enter(GLuint indices[], GLuint program, const char *uniform, const char *function) {
-    // TODO(1.2): indices[l] = i, where l is the location of the uniform (-1: there is none) and i is the index of the
-    // function. Look up: glGetSubroutineUniformLocation, glGetSubroutineIndex; the stage is GL_FRAGMENT_SHADER.
+    // TODO(1.2): indices[l] = i, where l is the location of the uniform (-1: there is none, do nothing) and i
+    // the index of the function. Look up: glGetSubroutineUniformLocation, glGetSubroutineIndex.
     (void)indices, (void)program, (void)uniform, (void)function;
 }
 
@@ -30,8 +30,8 @@ static void choose(GLuint program, const char *model, const char *finish) {
     enter(indices, program, "u_shade", model);
     // TODO(1.5), in C: enter `finish` for u_finish, too.
     (void)finish;
-    // TODO(1.2), second part: hand all indices over at once. Their number must be that of the locations: ask for it
-    // with glGetProgramStageiv and GL_ACTIVE_SUBROUTINE_UNIFORM_LOCATIONS. Look up: glUniformSubroutinesuiv.
+    // TODO(1.2), second part: hand all indices over at once. Their number must be that of the locations: ask
+    // glGetProgramStageiv for GL_ACTIVE_SUBROUTINE_UNIFORM_LOCATIONS. Look up: glUniformSubroutinesuiv.
 }
 
 // Limits what is drawn to the columns from `left` to `right`, shares of the picture's width.
@@ -44,8 +44,9 @@ static void limit_columns(const Frame *frame, float left, float right) {
 static void draw_left_half(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADE];
     limit_columns(frame, 0, 0.5f);
-    draw_begin(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye); // has glUseProgram in it
-    // TODO(1.2), third part: choose the model of KNOB_LEFT_MODEL and the finish. Why here and not a line earlier?
+    // glUseProgram is called in draw_begin.
+    draw_begin(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    // TODO(1.2), third part: choose the model of KNOB_LEFT_MODEL and the finish. (Why not before draw_begin?)
     (void)choose, (void)model_of, (void)finish_of;
     draw_objects(frame, program);
 }
@@ -63,8 +64,8 @@ static void draw_right_half(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADE];
     limit_columns(frame, 0.505f, 1);
     draw_begin(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
-    // TODO(1.4): the divider has used another program, and glUseProgram has forgotten what was chosen for this one:
-    // choose again, with KNOB_RIGHT_MODEL.
+    // TODO(1.4): the divider has used another program, and glUseProgram has forgotten what was chosen for
+    // this one: choose again, with KNOB_RIGHT_MODEL.
     draw_objects(frame, program);
 }
 

@@ -1,9 +1,9 @@
 #version 410 core
-// The scene with its first light, shaded by functions that the program chooses at run time. Subroutine uniforms are to
-// GLSL what pointers to functions are to C: u_shade lights a point, u_finish changes how its colour is shown.
+// The scene with its first light, shaded by functions that lab.c chooses at run time. Subroutine uniforms are
+// to GLSL what pointers to functions are to C: u_shade lights a point, u_finish changes how that is shown.
 //
 // From lighting.glsl: u_color, u_specular, u_shininess, u_ambient_light, u_lights[0].color, u_eye_world and
-// light_direction(0, position_world), the unit vector to the light. Vectors from the vertex shader have any length.
+// light_direction(0, position_world), the unit vector to the light. A v_normal_world may have any length.
 
 #include "lighting.glsl"
 
@@ -28,8 +28,8 @@ vec3 finish_posterised(vec3 color, vec3 normal_world)
     return floor(4.0 * color + 0.5) / 4.0;
 }
 #else
-// TODO(1.5), in GLSL, here above u_shade: declare a second type, FinishType, of functions that take color and
-// normal_world (vec3) and return a vec3; its uniform u_finish; and two functions of this type:
+// TODO(1.5), in GLSL, here above u_shade: declare a second type, FinishType, of functions that take color
+// and normal_world (vec3) and return a vec3; its uniform u_finish; and two functions of this type:
 //   finish_plain       color as it is
 //   finish_posterised  each channel rounded to the nearest quarter: floor(4 color + 1/2) / 4
 #endif
@@ -52,10 +52,10 @@ vec3 shade_diffuse(vec3 position_world, vec3 normal_world)
     return u_ambient_light * u_color + diffuse;
 }
 #else
-// TODO(1.1): declare the subroutine type ShadeType, of functions that take position_world and normal_world (vec3) and
-// return a vec3; the subroutine uniform u_shade of this type; and two functions of this type:
-//   shade_ambient  ambient light times colour
-//   shade_diffuse  the same plus light's colour times colour times max(n.l, 0), n and l unit vectors
+// TODO(1.1): declare the subroutine type ShadeType, of functions that take position_world and normal_world
+// (vec3) and return a vec3; the subroutine uniform u_shade of this type; and two functions of this type:
+//   shade_ambient  ambient light times the object's colour
+//   shade_diffuse  the same plus light's colour times object's colour times max(n.l, 0), with unit n and l
 // Look up: subroutine, subroutine uniform, subroutine(TYPE) in front of a function.
 #endif
 
@@ -72,9 +72,9 @@ vec3 shade_phong(vec3 position_world, vec3 normal_world)
     return shade_diffuse(position_world, normal_world) + u_lights[0].color * u_specular * highlight;
 }
 #else
-// TODO(1.3): a third function of ShadeType, shade_phong: shade_diffuse plus light's colour times u_specular times
-// max(r.v, 0) to the power of u_shininess; r is the light's ray reflected at the surface, v the unit vector to the eye.
-// No highlight where n.l <= 0. Look up: reflect (which way does its first argument point?), pow.
+// TODO(1.3): a third function of ShadeType, shade_phong: shade_diffuse plus light's colour times u_specular
+// times max(r.v, 0) to the power of u_shininess; r is the light's ray reflected at the surface, v the unit
+// vector to the eye. No highlight where n.l <= 0. Look up: pow, reflect (its first argument points where?).
 #endif
 
 #ifdef SOLUTION // 1.6
@@ -84,7 +84,8 @@ vec3 normal_as_color(vec3 unused, vec3 normal_world)
     return 0.5 * normalize(normal_world) + 0.5;
 }
 #else
-// TODO(1.6): one function of both types, normal_as_color: the unit normal, brought from [-1, 1] to [0, 1], as colour.
+// TODO(1.6): one function of both types, normal_as_color(vec3 unused, vec3 normal_world): the unit normal as
+// a colour, brought from [-1, 1] to [0, 1].
 #endif
 
 void main()
@@ -92,7 +93,7 @@ void main()
 #ifdef SOLUTION // 1.1
     vec3 color = u_shade(v_position_world, v_normal_world);
 #else
-    // TODO(1.1), second part: call u_shade like a function. Until then: the object's colour without any light.
+    // TODO(1.1), second part: call u_shade like a function. Until then: the object's colour without light.
     vec3 color = u_color;
 #endif
 #ifdef SOLUTION // 1.5
