@@ -1,0 +1,11 @@
+#version 410 core
+// One colour, whatever is drawn.
+
+uniform vec3 u_color;
+
+out vec4 o_color;
+
+void main()
+{
+    o_color = vec4(u_color, 1.0);
+}
