@@ -90,7 +90,7 @@ static bool untouched(const Distances *distances) {
 static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam) {
     const Rubric *rubric = exam->rubric;
     int own = common >= 0 ? common : find_own(check->check, distances, rubric);
-    char text[128];
+    char text[256];
     if (common < 0 && untouched(distances)) {
         bool alone = distances->to_without == 0;
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task,

@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { CROP = 48, ENLARGED = 4 };
+
 // The reference in dim grey; too bright in yellow, too dark in blue, another colour in magenta.
 static void mark_difference(Image *difference, const Image *yours, const Image *reference) {
     static const uint8_t brighter[3] = {255, 208, 32}, darker[3] = {48, 112, 255}, other[3] = {255, 48, 255};
@@ -21,6 +23,42 @@ static void mark_difference(Image *difference, const Image *yours, const Image *
         if (score_pixel(yours, reference, at) > 0)
             memcpy(to, change > 6 ? brighter : change < -6 ? darker : other, 3);
     }
+}
+
+// The upper left corner of the CROP x CROP part with the most wrong pixels.
+static void find_crop(const Image *yours, const Image *reference, int *left, int *top) {
+    size_t most = 0;
+    for (int y = 0; y + CROP <= yours->height; y += CROP / 4)
+        for (int x = 0; x + CROP <= yours->width; x += CROP / 4) {
+            size_t wrong = 0;
+            for (int v = y; v < y + CROP; v++)
+                for (int u = x; u < x + CROP; u++)
+                    wrong +=
+                        score_pixel(yours, reference, 4 * ((size_t)v * (size_t)yours->width + (size_t)u)) > 0;
+            if (wrong > most) {
+                most = wrong;
+                *left = x;
+                *top = y;
+            }
+        }
+}
+
+// Yours, reference and difference side by side, enlarged, where most is wrong.
+static bool make_crop(Image *crop, const Image *const parts[3]) {
+    int left = 0, top = 0;
+    find_crop(parts[0], parts[1], &left, &top);
+    if (!image_create(crop, 3 * CROP * ENLARGED, CROP * ENLARGED))
+        return false;
+    for (int y = 0; y < crop->height; y++)
+        for (int x = 0; x < crop->width; x++) {
+            const Image *part = parts[x / (CROP * ENLARGED)];
+            int u = left + x % (CROP * ENLARGED) / ENLARGED, v = top + y / ENLARGED;
+            bool inside = u < part->width && v < part->height;
+            if (inside)
+                memcpy(crop->rgba + 4 * ((size_t)y * (size_t)crop->width + (size_t)x),
+                       part->rgba + 4 * ((size_t)v * (size_t)part->width + (size_t)u), 4);
+        }
+    return true;
 }
 
 static void slug(char *to, size_t size, const char *name) {
@@ -48,15 +86,17 @@ bool report_evidence(const LabResult *result, const Exam *exam, const char *fold
                     *reference = &exam->variants[c][check->worst].reference;
         if (check->passed || !yours->rgba)
             continue;
-        Image difference = {0};
+        Image difference = {0}, crop = {0};
         slug(name, sizeof name, check->check->name);
         ok = files_make_folder(lab_folder) && image_copy(&difference, yours);
         if (ok)
             mark_difference(&difference, yours, reference);
-        ok = ok && write_one(yours, lab_folder, name, "yours") &&
+        ok = ok && make_crop(&crop, (const Image *const[3]){yours, reference, &difference}) &&
+             write_one(&crop, lab_folder, name, "crop") && write_one(yours, lab_folder, name, "yours") &&
              write_one(reference, lab_folder, name, "reference") &&
              write_one(&difference, lab_folder, name, "difference");
         image_destroy(&difference);
+        image_destroy(&crop);
     }
     return ok;
 }

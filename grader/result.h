@@ -15,7 +15,7 @@ typedef struct CheckResult {
     int worst;    // that variant
     bool passed;  // all but a trace of the points
     bool has_cause;
-    char mistake[128], hint[1500];
+    char mistake[256], hint[1500];
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
 } CheckResult;
 

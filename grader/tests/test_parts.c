@@ -1,12 +1,10 @@
-// The parts without GL: random numbers, meshes, scenes, shader files, rubrics, processes, kinds of error.
+// The parts without GL: random numbers, meshes, scenes, shader files, rubrics and processes.
 #include "check.h"
-#include "error_kind.h"
 #include "files.h"
 #include "process.h"
 #include "random.h"
 #include "rubric.h"
 #include "scene.h"
-#include "score.h"
 #include "shader_source.h"
 
 #include <setjmp.h>
@@ -186,46 +184,10 @@ static void test_processes(void **unused) {
     process_stop(process);
 }
 
-static void expect_kind(const Image *yours, const Image *reference, const char *kind) {
-    char text[200];
-    error_kind(text, sizeof text, yours, reference);
-    if (!strstr(text, kind))
-        fail_msg("expected \"%s\", got \"%s\"", kind, text);
-}
-
-static void test_error_kinds(void **unused) {
-    (void)unused;
-    enum { SIZE = 48 };
-    Image reference, yours = {0};
-    assert_true(image_create(&reference, SIZE, SIZE));
-    score_fill(&reference, (const uint8_t[3]){200, 200, 200});
-    for (int i = 0; i < 400; i++) // a dark square of 20 x 20 at the upper left
-        memset(reference.rgba + 4 * ((i / 20) * SIZE + i % 20), 20, 3);
-    assert_true(image_copy(&yours, &reference));
-    score_fill(&yours, (const uint8_t[3]){0, 0, 0});
-    expect_kind(&yours, &reference, "nothing drawn");
-    assert_true(image_copy(&yours, &reference));
-    for (int i = 0; i < 100; i++)
-        memset(yours.rgba + 4 * ((38 + i / 10) * SIZE + 38 + i % 10), 20, 3);
-    expect_kind(&yours, &reference, "false shadow");
-    expect_kind(&yours, &reference, "lower right");
-    assert_true(image_copy(&yours, &reference));
-    for (int i = 0; i < 200; i++)
-        memset(yours.rgba + 4 * ((i / 20) * SIZE + i % 20), 200, 3);
-    expect_kind(&yours, &reference, "false light");
-    expect_kind(&yours, &reference, "upper left");
-    for (int y = 0; y < SIZE; y++)
-        memcpy(yours.rgba + 4 * y * SIZE, reference.rgba + 4 * (SIZE - 1 - y) * SIZE, 4 * SIZE);
-    expect_kind(&yours, &reference, "upside down");
-    image_destroy(&reference);
-    image_destroy(&yours);
-}
-
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random),     cmocka_unit_test(test_meshes),
-                                       cmocka_unit_test(test_scenes),     cmocka_unit_test(test_rubric),
-                                       cmocka_unit_test(test_processes),  cmocka_unit_test(test_shader_files),
-                                       cmocka_unit_test(test_error_kinds)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random),    cmocka_unit_test(test_meshes),
+                                       cmocka_unit_test(test_scenes),    cmocka_unit_test(test_rubric),
+                                       cmocka_unit_test(test_processes), cmocka_unit_test(test_shader_files)};
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }
