@@ -49,7 +49,7 @@ table: build ## prove the rubrics and put the table into grader/README.md
 test: build $(TESTS) ## run all tests
 	@grader/tests/run $(BUILD)
 
-sanitize: ## the tests under AddressSanitizer and UBSan, but for the proof of the rubrics
+sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
 	@$(MAKE) --no-print-directory BUILD=build-sanitize CFLAGS="-O1 -g" \
 		SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=undefined" QUICK=1 test
 
