@@ -17,36 +17,71 @@ static void approach(Scene *scene, float share) {
     scene->camera.eye = glms_vec3_lerp(scene->camera.target, scene->camera.eye, share);
 }
 
-// A one-sided card about `center`. The scale in y changes nothing but the length of the normal, which every shader has
-// to normalise.
-static void add_card(Scene *scene, vec3s center, float half_size, float turn, float tilt, Random *random) {
-    Object *card = part_object(scene, SHAPE_PLANE, center, vec3_make(1, 1, 1), turn, part_color(random));
-    vec3s scale = vec3_make(half_size, random_range(random, 0.35f, 0.45f), half_size * random_range(random, 0.7f, 1));
-    card->world_from_object =
-        glms_scale(glms_rotate(card->world_from_object, glm_rad(tilt), vec3_make(1, 0, 0)), scale);
+// A one-sided card, turned about +y by `turn`, leant towards where it then faces by `lean`, to its side by `side`, and
+// at last turned in its own plane by `spin` (degrees). The scale in y changes nothing but the length of the normal,
+// which every shader has to normalise.
+typedef struct Pose {
+    vec3s center;
+    float turn, lean, side, spin, half_size;
+} Pose;
+
+static void add_card(Scene *scene, Pose pose, Random *random) {
+    Object *card = part_object(scene, SHAPE_PLANE, pose.center, vec3_make(1, 1, 1), pose.turn, part_color(random));
+    vec3s scale = vec3_make(pose.half_size, random_range(random, 0.35f, 0.45f),
+                            pose.half_size * random_range(random, 0.7f, 1));
+    mat4s leant = glms_rotate(card->world_from_object, glm_rad(pose.lean), vec3_make(1, 0, 0));
+    mat4s tilted = glms_rotate(leant, glm_rad(pose.side), vec3_make(0, 0, 1));
+    card->world_from_object = glms_scale(glms_rotate(tilted, glm_rad(pose.spin), vec3_make(0, 1, 0)), scale);
 }
 
-// Cards beside each other under grazing light, each with a slope of its own: none shadows another, so every shadow is
-// a false one.
-static void make_tiles(Scene *scene, LightKind kind, Random *random) {
+// The i-th of three cards in a row across the light, so that none shadows another: every shadow is a false one.
+static Pose row_pose(int i, float azimuth, Random *random) {
+    float across = 1.9f * (float)(i - 1), along = random_range(random, -0.8f, 0.8f), a = glm_rad(azimuth);
+    return (Pose){.center = vec3_make(across * cosf(a) + along * sinf(a), 0, along * cosf(a) - across * sinf(a)),
+                  .turn = azimuth,
+                  .spin = random_range(random, -25, 25),
+                  .half_size = random_range(random, 0.5f, 0.7f)};
+}
+
+static void look_down(Scene *scene, Random *random) {
     part_begin(scene, random);
-    scene->camera.target.y = 0;
-    approach(scene, 0.7f);
-    add_low_light(scene, kind, draw_azimuth(random), random_range(random, 25, 32));
+    scene->camera.target = vec3_make(0, 0, 0);
+    scene->camera.eye = part_orbit(scene->camera.target, random_range(random, -35, 35), random_range(random, 50, 65),
+                                   random_range(random, 5.5f, 6.5f));
+}
+
+// Cards that all have the same steep slope as the light sees them, about 75 degrees.
+static void make_grazing(Scene *scene, LightKind kind, Random *random) {
+    float azimuth = random_range(random, 140, 220);
+    look_down(scene, random);
+    add_low_light(scene, kind, azimuth, random_range(random, 14, 15.5f));
     for (int i = 0; i < 3; i++) {
-        vec3s center = vec3_make(1.9f * (float)(i - 1) + random_range(random, -0.2f, 0.2f), 0,
-                                 random_range(random, -1.2f, 1.2f));
-        add_card(scene, center, random_range(random, 0.6f, 1.1f), random_range(random, 0, 360),
-                 random_range(random, 2, 14), random);
+        Pose pose = row_pose(i, azimuth, random);
+        pose.side = random_range(random, -14, 14);
+        add_card(scene, pose, random);
     }
 }
 
-static void make_tiles_sun(Scene *scene, Random *random) {
-    make_tiles(scene, LIGHT_DIRECTIONAL, random);
+static void make_grazing_sun(Scene *scene, Random *random) {
+    make_grazing(scene, LIGHT_DIRECTIONAL, random);
 }
 
-static void make_tiles_spot(Scene *scene, Random *random) {
-    make_tiles(scene, LIGHT_SPOT, random);
+static void make_grazing_spot(Scene *scene, Random *random) {
+    make_grazing(scene, LIGHT_SPOT, random);
+}
+
+// One card nearly faces the light, two turn away from it: each needs another bias.
+static void make_slopes(Scene *scene, Random *random) {
+    float azimuth = random_range(random, -40, 40), elevation = random_range(random, 30, 40);
+    int facing = random_int(random, 0, 2);
+    look_down(scene, random);
+    add_low_light(scene, LIGHT_DIRECTIONAL, azimuth, elevation);
+    for (int i = 0; i < 3; i++) {
+        Pose pose = row_pose(i, azimuth, random);
+        float theta = i == facing ? random_range(random, 3, 6) : random_range(random, 68, 76);
+        pose.lean = 90 - elevation - theta;
+        add_card(scene, pose, random);
+    }
 }
 
 // A wall much thinner than the bias of a bad day stands on the floor; the camera looks at its foot on the dark side.
@@ -55,11 +90,11 @@ static void make_thin_wall(Scene *scene, Random *random) {
     vec3s foot = vec3_make(0, 0, 0);
     part_begin(scene, random);
     part_floor(scene, 4, random);
-    part_object(scene, SHAPE_BOX, vec3_make(0, height, 0), vec3_make(random_range(random, 1.2f, 2), height, 0.02f),
+    part_object(scene, SHAPE_BOX, vec3_make(0, height, 0), vec3_make(random_range(random, 1.4f, 2.2f), height, 0.02f),
                 azimuth + random_range(random, -20, 20), part_color(random));
     add_low_light(scene, LIGHT_DIRECTIONAL, azimuth, random_range(random, 28, 38));
     scene->camera.eye = part_orbit(foot, azimuth + 180 + random_range(random, -40, 40), random_range(random, 40, 55),
-                                   random_range(random, 4.5f, 5.5f));
+                                   random_range(random, 4.2f, 5));
     scene->camera.target = foot;
 }
 
@@ -76,12 +111,15 @@ static void make_cards(Scene *scene, Random *random) {
                                  random_range(random, 0.7f, 1.1f),
                                  1.8f * (float)(i / 2) - 0.9f + random_range(random, -0.3f, 0.3f));
         bool away = (i + i / 2 + turned_away) % 2;
-        add_card(scene, center, random_range(random, 0.5f, 0.7f), azimuth,
-                 random_range(random, 20, 50) + (away ? 180.0f : 0), random);
+        Pose pose = {.center = center,
+                     .turn = azimuth,
+                     .lean = random_range(random, 20, 50) + (away ? 180.0f : 0),
+                     .half_size = random_range(random, 0.5f, 0.7f)};
+        add_card(scene, pose, random);
     }
 }
 
-// Closed boxes on a floor under a low sun; none of their faces is lit at a grazing angle.
+// Closed boxes, sunk a little into a floor, under a low sun; none of their faces is lit at a grazing angle.
 static void make_boxes(Scene *scene, Random *random) {
     float azimuth = draw_azimuth(random);
     part_begin(scene, random);
@@ -91,7 +129,7 @@ static void make_boxes(Scene *scene, Random *random) {
     for (int i = 0; i < 3; i++) {
         float height = random_range(random, 0.3f, 0.7f);
         part_object(scene, SHAPE_BOX,
-                    vec3_make(1.7f * (float)(i - 1) + random_range(random, -0.2f, 0.2f), height,
+                    vec3_make(1.7f * (float)(i - 1) + random_range(random, -0.2f, 0.2f), height - 0.05f,
                               random_range(random, -1, 1)),
                     vec3_make(random_range(random, 0.3f, 0.5f), height, random_range(random, 0.3f, 0.5f)),
                     azimuth + 45 + random_range(random, -12, 12), part_color(random));
@@ -99,6 +137,8 @@ static void make_boxes(Scene *scene, Random *random) {
 }
 
 const SceneMaker scenes_bias[] = {
-    {"tiles sun", make_tiles_sun}, {"tiles spot", make_tiles_spot}, {"thin wall", make_thin_wall},
-    {"cards", make_cards},         {"boxes", make_boxes},           {0},
+    {"grazing sun", make_grazing_sun}, {"grazing spot", make_grazing_spot},
+    {"slopes", make_slopes},           {"thin wall", make_thin_wall},
+    {"cards", make_cards},             {"boxes", make_boxes},
+    {0},
 };
