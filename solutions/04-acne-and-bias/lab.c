@@ -5,7 +5,14 @@ enum { KNOB_METHOD, KNOB_MAP_SIZE, KNOB_BIAS, KNOB_SLOPE_BIAS, KNOB_FACTOR, KNOB
 enum { PROGRAM_DEPTH, PROGRAM_SHADOW };
 
 // Values of KNOB_METHOD; 1, 2 and 5 are the business of shadow.frag.
-enum { METHOD_NONE, METHOD_CONSTANT, METHOD_SLOPE, METHOD_POLYGON_OFFSET, METHOD_FRONT_FACES, METHOD_NORMAL_OFFSET };
+enum {
+    METHOD_NONE,
+    METHOD_CONSTANT,
+    METHOD_SLOPE,
+    METHOD_POLYGON_OFFSET,
+    METHOD_FRONT_FACES,
+    METHOD_NORMAL_OFFSET
+};
 
 static ShadowMap map;
 
@@ -25,7 +32,8 @@ static void draw_map(const Frame *frame) {
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(frame->knobs[KNOB_FACTOR], frame->knobs[KNOB_UNITS]);
 #else
-        // TODO(4.3): push the map's depths away from the light by factor * (the polygon's slope in depth per texel)
+        // TODO(4.3): push the map's depths away from the light by factor * (the polygon's slope in depth per
+        // texel)
         // + units * (the least step of the depth buffer). Look up: glPolygonOffset, glEnable with
         // GL_POLYGON_OFFSET_FILL; the knobs are frame->knobs[KNOB_FACTOR] and [KNOB_UNITS].
 #endif
@@ -34,8 +42,8 @@ static void draw_map(const Frame *frame) {
 #ifdef SOLUTION // 4.4
         glCullFace(GL_FRONT);
 #else
-        // TODO(4.4): let only the faces that look away from the light into the map. Culling is on and leaves out
-        // GL_BACK, which is what the picture needs. Look up: glCullFace.
+        // TODO(4.4): let only the faces that look away from the light into the map. Culling is on and leaves
+        // out GL_BACK, which is what the picture needs. Look up: glCullFace.
 #endif
     }
     shadow_map_begin(&map);
@@ -52,14 +60,15 @@ static void draw_map(const Frame *frame) {
 #endif
 }
 
-// Side of one texel in world units, as wide as the map sees it at distance 1 (spot light) or anywhere (directional).
+// Side of one texel in world units, as wide as the map sees it at distance 1 (spot light) or anywhere
+// (directional).
 static float texel_size(const Light *light) {
 #ifdef SOLUTION // 4.5
     float half_side = light->kind == LIGHT_SPOT ? tanf(light->fov_y / 2) : light->half_size;
     return 2 * half_side / (float)map.size;
 #else
-    // TODO(4.5): the map shows a square of map.size x map.size texels. Its side is 2 tan(light->fov_y / 2) at distance 1
-    // from a LIGHT_SPOT, and 2 light->half_size for a directional light.
+    // TODO(4.5): the map shows a square of map.size x map.size texels. Its side is 2 tan(light->fov_y / 2) at
+    // distance 1 from a LIGHT_SPOT, and 2 light->half_size for a directional light.
     (void)light;
     return 0;
 #endif
@@ -83,7 +92,7 @@ const Lab lab = {
     .title = "Acne and bias",
     .programs = {[PROGRAM_DEPTH] = {"scene.vert", "empty.frag", NULL},
                  [PROGRAM_SHADOW] = {"scene.vert", "shadow.frag", NULL}},
-    .knobs = {[KNOB_METHOD] = {"method", "0 none, 1 constant, 2 slope, 3 polygon offset, 4 front faces, 5 normal", 0, 5, 1},
+    .knobs = {[KNOB_METHOD] = {"method", "0 none, 1 constant, 2 slope, 3 offset, 4 faces, 5 normal", 0, 5, 1},
               [KNOB_MAP_SIZE] = {"map size", "texels", 64, 4096, 256},
               [KNOB_BIAS] = {"bias", "depth", 0, 0.1f, 0.01f},
               [KNOB_SLOPE_BIAS] = {"slope bias", "depth", 0, 0.2f, 0.03f},
