@@ -109,10 +109,11 @@ static void make_cards(Scene *scene, Random *random) {
     part_floor(scene, 4, random);
     add_low_light(scene, LIGHT_DIRECTIONAL, azimuth, random_range(random, 45, 58));
     for (int i = 0; i < 4; i++) {
-        bool stands = (i + i / 2 + standing) % 2;
-        Pose pose = {.center = vec3_make(1.6f * (float)(i % 2) - 0.8f + random_range(random, -0.3f, 0.3f),
+        int column = i % 2, row = i / 2;
+        bool stands = (column + row + standing) % 2;
+        Pose pose = {.center = vec3_make(1.6f * (float)column - 0.8f + random_range(random, -0.3f, 0.3f),
                                          random_range(random, 0.7f, 1.1f),
-                                         1.8f * (float)(i / 2) - 0.9f + random_range(random, -0.3f, 0.3f)),
+                                         1.8f * (float)row - 0.9f + random_range(random, -0.3f, 0.3f)),
                      .turn = azimuth,
                      .lean = stands ? random_range(random, -95, -75) : random_range(random, 5, 25),
                      .half_size = random_range(random, 0.5f, 0.7f)};
