@@ -28,9 +28,8 @@ static void draw_map(const Frame *frame) {
     const Light *light = &frame->scene->lights[0];
     int method = (int)frame->knobs[KNOB_METHOD];
     if (method == METHOD_POLYGON_OFFSET) {
-        // TODO(4.3): push the map's depths away from the light by factor * (the polygon's slope in depth per
-        // texel)
-        // + units * (the least step of the depth buffer). Look up: glPolygonOffset, glEnable with
+        // TODO(4.3): push the map's depths away from the light, by factor * the polygon's slope (per texel)
+        // + units * the least step of the depth buffer. Look up: glPolygonOffset, glEnable with
         // GL_POLYGON_OFFSET_FILL; the knobs are frame->knobs[KNOB_FACTOR] and [KNOB_UNITS].
     }
     if (method == METHOD_FRONT_FACES) {
@@ -43,8 +42,7 @@ static void draw_map(const Frame *frame) {
     // TODO(4.4), second part: the picture shows the front faces again.
 }
 
-// Side of one texel in world units, as wide as the map sees it at distance 1 (spot light) or anywhere
-// (directional).
+// Width of one texel in world units: at distance 1 from a spot light, anywhere for a directional one.
 static float texel_size(const Light *light) {
     // TODO(4.5): the map shows a square of map.size x map.size texels. Its side is 2 tan(light->fov_y / 2) at
     // distance 1 from a LIGHT_SPOT, and 2 light->half_size for a directional light.

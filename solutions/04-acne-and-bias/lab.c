@@ -32,9 +32,8 @@ static void draw_map(const Frame *frame) {
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(frame->knobs[KNOB_FACTOR], frame->knobs[KNOB_UNITS]);
 #else
-        // TODO(4.3): push the map's depths away from the light by factor * (the polygon's slope in depth per
-        // texel)
-        // + units * (the least step of the depth buffer). Look up: glPolygonOffset, glEnable with
+        // TODO(4.3): push the map's depths away from the light, by factor * the polygon's slope (per texel)
+        // + units * the least step of the depth buffer. Look up: glPolygonOffset, glEnable with
         // GL_POLYGON_OFFSET_FILL; the knobs are frame->knobs[KNOB_FACTOR] and [KNOB_UNITS].
 #endif
     }
@@ -60,8 +59,7 @@ static void draw_map(const Frame *frame) {
 #endif
 }
 
-// Side of one texel in world units, as wide as the map sees it at distance 1 (spot light) or anywhere
-// (directional).
+// Width of one texel in world units: at distance 1 from a spot light, anywhere for a directional one.
 static float texel_size(const Light *light) {
 #ifdef SOLUTION // 4.5
     float half_side = light->kind == LIGHT_SPOT ? tanf(light->fov_y / 2) : light->half_size;
