@@ -1,8 +1,8 @@
 // prove [--lab NN]... [--seeds N] [--context C]: proves a rubric. Over N seeds it draws, for each lab, the
-// solution, the skeleton, each catalogued mistake, each alternative and some cheap pictures, grades them like
-// a submission and prints a table (Markdown, for grader/README.md). Exit status 1 when one of them is not
-// graded as it should be: solution and alternatives 100 %, skeleton 0 on every check, mistakes below the pass
-// mark and named correctly, cheap pictures 0 on every check. `N passed, N failed` counts contenders.
+// solution, the skeleton, the lab solved up to each task, each catalogued mistake and each alternative,
+// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 1 when one
+// of them is not graded as it should be: solution and alternatives 100 %, skeleton 0 on every check, no task
+// takes points away, mistakes below the pass mark and named correctly. `N passed, N failed` counts rows.
 #include "check.h"
 #include "grade_lab.h"
 #include "diagnose.h"
@@ -17,15 +17,18 @@
 
 enum { MAX_SEEDS = 100 };
 
-typedef enum Kind { KIND_SOLUTION, KIND_SKELETON, KIND_MISTAKE, KIND_ALTERNATIVE } Kind;
+typedef enum Kind { KIND_SOLUTION, KIND_SKELETON, KIND_PARTIAL, KIND_MISTAKE, KIND_ALTERNATIVE } Kind;
 
 typedef struct Row {
     Kind kind;
+    Solved solved;
     const Change *change;
-    double lowest, highest; // percent
-    int right, seeds;       // runs graded as they should be
-    Client contender;       // a worker of its own, kept over the seeds
-    char other[128];        // a diagnosis that was not the mistake's name, or a check that went wrong
+    const struct Row *before; // of a partial solution: the one with a task less
+    double percent;           // of the last run
+    double lowest, highest;   // percent
+    int right, seeds;         // runs graded as they should be
+    Client contender;         // a worker of its own, kept over the seeds
+    char other[128];          // a diagnosis that was not the mistake's name, or a check that went wrong
 } Row;
 
 typedef struct Proof {
@@ -33,10 +36,6 @@ typedef struct Proof {
     ContextKind context;
     bool broken; // a fault of ours
 } Proof;
-
-static Solved solved_of(Kind kind) {
-    return kind == KIND_SKELETON ? (Solved){SOLVED_NONE, NULL} : (Solved){SOLVED_ALL, NULL};
-}
 
 static void note(Row *row, const char *text) {
     if (!row->other[0])
@@ -83,6 +82,8 @@ static bool judge(const LabResult *result, Row *row, const Rubric *rubric) {
     switch (row->kind) {
     case KIND_SKELETON:
         return all_zero(result, row);
+    case KIND_PARTIAL:
+        return row->percent >= row->before->percent - 1e-9;
     case KIND_MISTAKE:
         return named_right(result, row) && result->score < rubric->pass_mark / 100 * result->max_score;
     default:
@@ -93,7 +94,7 @@ static bool judge(const LabResult *result, Row *row, const Rubric *rubric) {
 // Grades one of ours as if it were a submission: by a worker of its own.
 static bool run_row(Row *row, Exam *exam, Roster *roster) {
     static LabResult result;
-    const Painter *painter = roster_get(roster, solved_of(row->kind), row->change);
+    const Painter *painter = roster_get(roster, row->solved, row->change);
     if (!painter)
         return false;
     row->contender.trust = TRUST_OURS;
@@ -102,7 +103,7 @@ static bool run_row(Row *row, Exam *exam, Roster *roster) {
     grade_begin(&result, exam->rubric);
     grade_frames(&result, exam, &row->contender, NULL);
     bool ok = diagnose(&result, exam, roster);
-    double percent = 100 * result.score / result.max_score;
+    double percent = row->percent = 100 * result.score / result.max_score;
     if (row->seeds == 0 || percent < row->lowest)
         row->lowest = percent;
     if (row->seeds == 0 || percent > row->highest)
@@ -113,10 +114,28 @@ static bool run_row(Row *row, Exam *exam, Roster *roster) {
     return ok;
 }
 
+// One row a task that a check is about, solved up to it.
+static int list_partials(Row *rows, int count, const Rubric *rubric) {
+    for (int n = 1; n < 20; n++) {
+        const char *task = NULL;
+        for (int c = 0; c < rubric->check_count; c++) {
+            const char *dot = strchr(rubric->checks[c].task, '.');
+            if (dot && atoi(dot + 1) == n)
+                task = rubric->checks[c].task;
+        }
+        if (task)
+            rows[count] =
+                (Row){.kind = KIND_PARTIAL, .solved = {SOLVED_UP_TO, task}, .before = &rows[count - 1]};
+        count += task != NULL;
+    }
+    return count;
+}
+
 static int list_rows(Row *rows, const Rubric *rubric) {
     int count = 0;
     rows[count++] = (Row){.kind = KIND_SOLUTION};
-    rows[count++] = (Row){.kind = KIND_SKELETON};
+    rows[count++] = (Row){.kind = KIND_SKELETON, .solved = {SOLVED_NONE, NULL}};
+    count = list_partials(rows, count, rubric);
     for (int i = 0; i < rubric->mistake_count; i++)
         rows[count++] = (Row){.kind = KIND_MISTAKE, .change = &rubric->mistakes[i]};
     for (int i = 0; i < rubric->alternative_count; i++)
@@ -125,7 +144,7 @@ static int list_rows(Row *rows, const Rubric *rubric) {
 }
 
 static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof) {
-    static const char *const kinds[] = {"solution", "skeleton", "mistake", "alternative"};
+    static const char *const kinds[] = {"solution", "skeleton", "up to", "mistake", "alternative"};
     for (int i = 0; i < count; i++) {
         const Row *row = &rows[i];
         bool right = row->seeds == proof->seeds && row->right == row->seeds;
@@ -133,7 +152,10 @@ static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof)
         proof->failed += !right;
         client_stop(&rows[i].contender);
         printf("| %s | %s | %s | %.0f | %.0f | %s%s%s |\n", rubric->id, kinds[row->kind],
-               row->change ? row->change->name : "", row->lowest, row->highest,
+               row->change        ? row->change->name
+               : row->solved.task ? row->solved.task
+                                  : "",
+               row->lowest, row->highest,
                right ? (row->kind == KIND_MISTAKE ? "named" : "as it should be") : "WRONG: ",
                right                       ? ""
                : row->other[0]             ? row->other

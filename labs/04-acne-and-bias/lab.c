@@ -28,7 +28,7 @@ static void draw_map(const Frame *frame) {
     const Light *light = &frame->scene->lights[0];
     int method = (int)frame->knobs[KNOB_METHOD];
     if (method == METHOD_POLYGON_OFFSET) {
-        // TODO(4.3): push the map's depths away from the light, by factor * the polygon's slope (depth per texel)
+        // TODO(4.3): push the map's depths away from the light, by factor * the polygon's slope (per texel)
         // + units * the least step of the depth buffer. Look up: glPolygonOffset, glEnable with
         // GL_POLYGON_OFFSET_FILL; the knobs are frame->knobs[KNOB_FACTOR] and [KNOB_UNITS].
     }

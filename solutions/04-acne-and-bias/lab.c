@@ -32,7 +32,7 @@ static void draw_map(const Frame *frame) {
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(frame->knobs[KNOB_FACTOR], frame->knobs[KNOB_UNITS]);
 #else
-        // TODO(4.3): push the map's depths away from the light, by factor * the polygon's slope (depth per texel)
+        // TODO(4.3): push the map's depths away from the light, by factor * the polygon's slope (per texel)
         // + units * the least step of the depth buffer. Look up: glPolygonOffset, glEnable with
         // GL_POLYGON_OFFSET_FILL; the knobs are frame->knobs[KNOB_FACTOR] and [KNOB_UNITS].
 #endif
