@@ -29,6 +29,6 @@ void main()
     vec3 ambient = phong_ambient();
     vec3 diffuse_specular = phong_diffuse_specular(0, v_position_world, v_normal_world);
     float lit = visibility(v_position_world);
-    // TODO(3.9): a shadow takes the diffuse and specular light away and leaves the ambient light.
+    // TODO(3.5), third part: a shadow takes the diffuse and specular light away and leaves the ambient light.
     o_color = vec4(ambient + diffuse_specular, 1.0);
 }
