@@ -12,11 +12,27 @@ typedef struct Edge {
     uint32_t from, to, far_corner;
 } Edge;
 
-static uint32_t weld(const Mesh *mesh, uint32_t vertex) {
-    uint32_t first = 0;
-    while (glms_vec3_distance(mesh->vertices[first].position, mesh->vertices[vertex].position) > WELD)
-        first++;
+// For each vertex the first one in its place.
+static uint32_t *weld(const Mesh *mesh) {
+    uint32_t *first = calloc((size_t)mesh->vertex_count, sizeof *first);
+    for (int i = 0; first && i < mesh->vertex_count; i++)
+        while (glms_vec3_distance2(mesh->vertices[first[i]].position, mesh->vertices[i].position) >
+               WELD * WELD)
+            first[i]++;
     return first;
+}
+
+// The indices of the mesh, welded.
+static uint32_t *list_corners(const Mesh *mesh) {
+    uint32_t *corners = calloc((size_t)mesh->index_count, sizeof *corners), *first = weld(mesh);
+    for (int i = 0; corners && first && i < mesh->index_count; i++)
+        corners[i] = first[mesh->indices[i]];
+    bool ok = corners && first;
+    free(first);
+    if (ok)
+        return corners;
+    free(corners);
+    return NULL;
 }
 
 static int compare_edges(const void *a, const void *b) {
@@ -65,9 +81,7 @@ bool adjacency_create(Adjacency *adjacency, const Mesh *mesh) {
     int count = mesh->index_count;
     *adjacency = (Adjacency){.indices = calloc(2 * (size_t)count, sizeof *adjacency->indices),
                              .index_count = 2 * count};
-    uint32_t *corners = calloc((size_t)count, sizeof *corners);
-    for (int i = 0; corners && i < count; i++)
-        corners[i] = weld(mesh, mesh->indices[i]);
+    uint32_t *corners = list_corners(mesh);
     Edge *edges = corners ? list_edges(corners, count) : NULL;
     bool ok = adjacency->indices && edges;
     if (ok)

@@ -2,13 +2,21 @@
 
 #include "adjacency.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
-static void upload(Casters *casters, Shape shape, const Mesh *mesh, const Adjacency *adjacency) {
-    GLuint *buffers = casters->shapes[shape].buffers;
-    glGenVertexArrays(1, &casters->shapes[shape].vertex_array);
+typedef struct Caster {
+    GLuint vertex_array;
+    GLsizei index_count; // 0 for an open shape
+} Caster;
+
+static Caster casters[SHAPE_COUNT];
+
+static void upload(Caster *caster, const Mesh *mesh, const Adjacency *adjacency) {
+    GLuint buffers[2];
+    glGenVertexArrays(1, &caster->vertex_array);
     glGenBuffers(2, buffers);
-    glBindVertexArray(casters->shapes[shape].vertex_array);
+    glBindVertexArray(caster->vertex_array);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
     glBufferData(GL_ARRAY_BUFFER, mesh->vertex_count * (GLsizeiptr)sizeof(Vertex), mesh->vertices,
                  GL_STATIC_DRAW);
@@ -17,43 +25,40 @@ static void upload(Casters *casters, Shape shape, const Mesh *mesh, const Adjace
                  adjacency->indices, GL_STATIC_DRAW);
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), (const void *)offsetof(Vertex, position));
-    glBindVertexArray(0);
-    casters->shapes[shape].index_count = adjacency->index_count;
+    caster->index_count = adjacency->index_count;
 }
 
-bool casters_create(Casters *casters) {
-    *casters = (Casters){0};
-    for (int shape = 0; shape < SHAPE_COUNT; shape++) {
-        Mesh mesh;
-        Adjacency adjacency = {0};
-        bool ok = mesh_create(&mesh, (Shape)shape) && adjacency_create(&adjacency, &mesh);
-        if (ok && adjacency.open_edges == 0)
-            upload(casters, (Shape)shape, &mesh, &adjacency);
-        adjacency_destroy(&adjacency);
-        mesh_destroy(&mesh);
-        if (!ok)
+static bool create(Caster *caster, Shape shape) {
+    Mesh mesh;
+    Adjacency adjacency = {0};
+    bool ok = mesh_create(&mesh, shape) && adjacency_create(&adjacency, &mesh);
+    if (ok && adjacency.open_edges == 0)
+        upload(caster, &mesh, &adjacency);
+    adjacency_destroy(&adjacency);
+    mesh_destroy(&mesh);
+    return ok;
+}
+
+static bool create_all(void) {
+    static bool created;
+    for (int shape = 0; !created && shape < SHAPE_COUNT; shape++)
+        if (!create(&casters[shape], (Shape)shape))
             return false;
-    }
+    created = true;
     return true;
 }
 
-void casters_destroy(Casters *casters) {
-    for (int shape = 0; shape < SHAPE_COUNT; shape++) {
-        glDeleteVertexArrays(1, &casters->shapes[shape].vertex_array);
-        glDeleteBuffers(2, casters->shapes[shape].buffers);
-    }
-    *casters = (Casters){0};
-}
-
-void casters_draw(const Casters *casters, const Frame *frame, const Program *program) {
+void casters_draw(const Frame *frame, const Program *program) {
+    if (!create_all())
+        return;
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
-        if (casters->shapes[object->shape].index_count == 0)
+        const Caster *caster = &casters[object->shape];
+        if (caster->index_count == 0)
             continue;
         program_set_mat4(program, "u_world_from_object", object->world_from_object);
-        glBindVertexArray(casters->shapes[object->shape].vertex_array);
-        glDrawElements(GL_TRIANGLES_ADJACENCY, casters->shapes[object->shape].index_count, GL_UNSIGNED_INT,
-                       NULL);
+        glBindVertexArray(caster->vertex_array);
+        glDrawElements(GL_TRIANGLES_ADJACENCY, caster->index_count, GL_UNSIGNED_INT, NULL);
     }
     glBindVertexArray(0);
 }

@@ -5,18 +5,7 @@
 
 #include "draw.h"
 
-#include <stdbool.h>
-
-typedef struct Casters {
-    struct {
-        GLuint vertex_array, buffers[2];
-        GLsizei index_count; // 0 for an open shape
-    } shapes[SHAPE_COUNT];
-} Casters;
-
-bool casters_create(Casters *casters);
-void casters_destroy(Casters *casters); // accepts zeroed casters
-
 // Draws the closed objects as GL_TRIANGLES_ADJACENCY with the program that draw_begin has made ready; sets
-// u_world_from_object. Vertices have a position only (attribute 0).
-void casters_draw(const Casters *casters, const Frame *frame, const Program *program);
+// u_world_from_object. Vertices have a position only (attribute 0). The meshes are made at the first call and
+// live as long as the context.
+void casters_draw(const Frame *frame, const Program *program);

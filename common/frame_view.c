@@ -10,9 +10,9 @@ void frame_view_destroy(FrameView *view) {
     target_destroy(&view->rows);
 }
 
-// Colours the pixels whose stencil value compares with `value` like that: `value` stands at the left.
-static void fill(const Program *program, GLenum comparison, int value, vec3s color) {
-    glStencilFunc(comparison, value, 0xff);
+// Colours the pixels with this stencil value.
+static void fill(const Program *program, int value, vec3s color) {
+    glStencilFunc(GL_EQUAL, value, 0xff);
     program_set_vec3(program, "u_constant", color);
     draw_fullscreen(program);
 }
@@ -23,13 +23,14 @@ static void draw_counts(const Frame *frame, const Program *program, const Target
     glBlitFramebuffer(0, 0, frame->width, frame->height, 0, 0, frame->width, frame->height,
                       GL_STENCIL_BUFFER_BIT, GL_NEAREST);
     target_bind(counts);
+    glClearColor(1, 1, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_STENCIL_TEST);
-    fill(program, GL_ALWAYS, 0, vec3_make(1, 1, 1));
-    fill(program, GL_LESS, 127, vec3_make(1, 0.5f, 0));
-    fill(program, GL_EQUAL, 255, vec3_make(1, 0, 0));
-    for (int count = 0; count < 4; count++)
-        fill(program, GL_EQUAL, count, vec3_make(count / 4.0f, count / 4.0f, count / 4.0f));
+    for (int count = 0; count < 4; count++) {
+        fill(program, count, vec3_make((float)count / 4, (float)count / 4, (float)count / 4));
+        fill(program, 255 - count, vec3_make(1, (float)count / 4, 0));
+    }
 }
 
 static void copy_rows(const Frame *frame, const Target *rows) {

@@ -10,7 +10,7 @@
 enum { FRAME_VIEW_ROWS = 3 };
 
 typedef struct FrameView {
-    Target counts; // the stencil: black 0, then greys, white 4 to 127, red -1 (255), orange below that
+    Target counts; // the stencil: black 0, greys 1 to 3, white 4 and more, red -1 (255), towards yellow -4
     Target rows;   // the last FRAME_VIEW_ROWS rows of the picture
 } FrameView;
 

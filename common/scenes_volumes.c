@@ -68,15 +68,15 @@ static void make_eye_inside(Scene *scene, Random *random) {
         vec3s plate = glms_vec3_lerp(eye, lamp, 0.3f + 0.2f * (float)i);
         plate = glms_vec3_add(plate, glms_vec3_scale(right, side * random_range(random, 0.1f, 0.3f)));
         plate.y += random_range(random, -0.12f, 0.12f);
-        part_object(scene, SHAPE_BOX, plate, vec3_make(0.38f, random_range(random, 0.25f, 0.38f), 0.05f), turn,
-                    part_color(random));
+        part_object(scene, SHAPE_BOX, plate, vec3_make(0.38f, random_range(random, 0.25f, 0.38f), 0.05f),
+                    turn, part_color(random));
         side = -side;
     }
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
 }
 
 // A lamp on the floor: the volumes go up, half into an open sky, half onto a wall (one-sided, so that it
-// casts none).
+// casts none). The eye stands in the volume of a plate near the lamp.
 static void make_into_sky(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 5, random);
@@ -94,6 +94,9 @@ static void make_into_sky(Scene *scene, Random *random) {
                     vec3_make(r, r, r), random_range(random, 0, 90), part_color(random));
     }
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 1, 0));
+    vec3s to_eye = glms_vec3_sub(scene->camera.eye, lamp);
+    part_object(scene, SHAPE_BOX, glms_vec3_lerp(lamp, scene->camera.eye, 0.2f), vec3_make(0.3f, 0.2f, 0.05f),
+                glm_deg(atan2f(to_eye.x, to_eye.z)), part_color(random));
     Object *wall =
         part_object(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(1, 1, 1), 0, part_color(random));
     float side = random_int(random, 0, 1) ? 1 : -1;
