@@ -127,8 +127,8 @@ static void make_grazing(Scene *scene, Random *random) {
     part_floor(scene, 6, random);
     vec3s lamp = beside(scene, random, 40, 80, random_range(random, 35, 45));
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
-    for (int i = 0; i < 6; i++) {
-        vec3s edge = vec3_make(-2.5f + (float)i, 0, random_range(random, -1.8f, 1.8f));
+    for (int i = 0; i < 10; i++) {
+        vec3s edge = vec3_make(-2.7f + 0.6f * (float)i, 0, random_range(random, -1.8f, 1.8f));
         vec3s along = glms_vec3_normalize(vec3_make(edge.x - lamp.x, 0, edge.z - lamp.z));
         vec3s half = vec3_make(random_range(random, 0.2f, 0.3f), random_range(random, 0.4f, 0.9f),
                                random_range(random, 0.2f, 0.3f));

@@ -9,8 +9,7 @@ enum { PROGRAM_SPLIT, PROGRAM_VOLUME, PROGRAM_TEXTURE, PROGRAM_CONSTANT };
 static struct {
     GLuint framebuffer; // task 7.1, with these three attached, as large as the frame
     GLuint ambient, diffuse_specular, depth_stencil;
-    Casters casters; // the closed objects, each triangle with its neighbours
-    FrameView view;  // for the stages "stencil counts" and "last rows"
+    FrameView view; // for the stages "stencil counts" and "last rows"
 } state;
 
 static bool create_target(const Frame *frame) {
@@ -23,13 +22,12 @@ static bool create_target(const Frame *frame) {
 }
 
 static bool create(const Frame *frame) {
-    return create_target(frame) && casters_create(&state.casters) && frame_view_create(&state.view, frame);
+    return create_target(frame) && frame_view_create(&state.view, frame);
 }
 
 static void destroy(void) {
     glDeleteFramebuffers(1, &state.framebuffer);
     glDeleteTextures(3, (GLuint[]){state.ambient, state.diffuse_specular, state.depth_stencil});
-    casters_destroy(&state.casters);
     frame_view_destroy(&state.view);
     state.framebuffer = state.ambient = state.diffuse_specular = state.depth_stencil = 0;
 }
@@ -75,7 +73,7 @@ static void draw_volumes(const Frame *frame) {
     }
     program_set_vec3(program, "u_constant", vec3_make(0.1f, 0.1f, 0));
     draw_begin(frame, program, clip_from_world(frame), frame->scene->camera.eye);
-    casters_draw(&state.casters, frame, program);
+    casters_draw(frame, program);
     // TODO(7.6), second part: open the mask of the colour again, for the next pass.
 }
 
