@@ -14,6 +14,7 @@ typedef struct FrameView {
     Target rows;   // the last FRAME_VIEW_ROWS rows of the picture
 } FrameView;
 
+// For frames of this size. False with a message when a target cannot be made.
 bool frame_view_create(FrameView *view, const Frame *frame);
 void frame_view_destroy(FrameView *view); // accepts a zeroed view
 
