@@ -25,12 +25,12 @@ static GLenum pixel_type(GLenum internal_format) {
     }
 }
 
-static GLuint make_texture(const Target *target, GLenum internal_format) {
+GLuint target_create_texture(int width, int height, GLenum internal_format) {
     GLuint texture;
     glGenTextures(1, &texture);
     glBindTexture(GL_TEXTURE_2D, texture);
-    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, target->width, target->height, 0,
-                 pixel_format(internal_format), pixel_type(internal_format), NULL);
+    glTexImage2D(GL_TEXTURE_2D, 0, (GLint)internal_format, width, height, 0, pixel_format(internal_format),
+                 pixel_type(internal_format), NULL);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -43,7 +43,7 @@ bool target_create(Target *target, int width, int height, GLenum color_format, G
     glGenFramebuffers(1, &target->framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
     if (color_format) {
-        target->color = make_texture(target, color_format);
+        target->color = target_create_texture(width, height, color_format);
         glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, target->color, 0);
     } else {
         glDrawBuffer(GL_NONE);
@@ -51,7 +51,7 @@ bool target_create(Target *target, int width, int height, GLenum color_format, G
     }
     if (depth_format) {
         bool stencil = pixel_format(depth_format) == GL_DEPTH_STENCIL;
-        target->depth = make_texture(target, depth_format);
+        target->depth = target_create_texture(width, height, depth_format);
         glFramebufferTexture(GL_FRAMEBUFFER, stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                              target->depth, 0);
     }

@@ -16,5 +16,8 @@ typedef struct Target {
 bool target_create(Target *target, int width, int height, GLenum color_format, GLenum depth_format);
 void target_destroy(Target *target); // accepts a zeroed target
 
+// One such texture, for a framebuffer that is made by hand.
+GLuint target_create_texture(int width, int height, GLenum internal_format);
+
 // Binds the framebuffer and sets the viewport to all of it.
 void target_bind(const Target *target);

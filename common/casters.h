@@ -1,0 +1,11 @@
+// Drawing what casts shadow volumes: the scene's closed objects, each triangle with its neighbours
+// (adjacency.h). An open mesh, like the floor, has no inside and so no volume: it receives shadows and casts
+// none.
+#pragma once
+
+#include "draw.h"
+
+// Draws the closed objects as GL_TRIANGLES_ADJACENCY with the program that draw_begin has made ready; sets
+// u_world_from_object. Vertices have a position only (attribute 0). The meshes are made at the first call and
+// live as long as the context.
+void casters_draw(const Frame *frame, const Program *program);

@@ -1,0 +1,170 @@
+// Lab 07: shadow volumes. Count in the stencil buffer how many volumes of shadow each visible point lies in.
+#include "casters.h"
+#include "frame_view.h"
+#include "lab.h"
+
+enum { KNOB_METHOD };
+enum { PROGRAM_SPLIT, PROGRAM_VOLUME, PROGRAM_TEXTURE, PROGRAM_CONSTANT };
+
+static struct {
+    GLuint framebuffer; // task 7.1, with these three attached, as large as the frame
+    GLuint ambient, diffuse_specular, depth_stencil;
+    FrameView view; // for the stages "stencil counts" and "last rows"
+} state;
+
+static bool create_target(const Frame *frame) {
+#ifdef SOLUTION // 7.1
+    state.ambient = target_create_texture(frame->width, frame->height, GL_RGBA8);
+    state.diffuse_specular = target_create_texture(frame->width, frame->height, GL_RGBA8);
+    state.depth_stencil = target_create_texture(frame->width, frame->height, GL_DEPTH24_STENCIL8);
+    glGenFramebuffers(1, &state.framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer);
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, state.ambient, 0);
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT1, state.diffuse_specular, 0);
+    glFramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, state.depth_stencil, 0);
+    glDrawBuffers(2, (GLenum[]){GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1});
+    return gl_check_framebuffer("two colours");
+#else
+    // TODO(7.1): with target_create_texture make state.ambient and state.diffuse_specular (GL_RGBA8) and
+    // state.depth_stencil (GL_DEPTH24_STENCIL8), as large as the frame; attach them to a new
+    // state.framebuffer as colours 0 and 1 and as depth and stencil; draw into both colours. Look up:
+    // glFramebufferTexture, GL_DEPTH_STENCIL_ATTACHMENT, glDrawBuffers.
+    (void)frame;
+    return true; // then: return gl_check_framebuffer("two colours");
+#endif
+}
+
+static bool create(const Frame *frame) {
+    return create_target(frame) && frame_view_create(&state.view, frame);
+}
+
+static void destroy(void) {
+    glDeleteFramebuffers(1, &state.framebuffer);
+    glDeleteTextures(3, (GLuint[]){state.ambient, state.diffuse_specular, state.depth_stencil});
+    frame_view_destroy(&state.view);
+    state.framebuffer = state.ambient = state.diffuse_specular = state.depth_stencil = 0;
+}
+
+// From the world to the clip space of the camera, for surfaces and volumes alike: their depths are compared.
+static mat4s clip_from_world(const Frame *frame) {
+    const Camera *camera = &frame->scene->camera;
+    mat4s clip_from_view = camera_clip_from_view(camera, (float)frame->width / (float)frame->height);
+#ifdef SOLUTION // 7.9
+    clip_from_view.raw[2][2] = -1;
+    clip_from_view.raw[3][2] = -2 * camera->near_plane;
+#else
+    // TODO(7.9): a far plane would cut the volumes off. Let it go to infinity in the two elements that hold
+    // it (the handout has the limits); raw[column][row].
+#endif
+    return glms_mat4_mul(clip_from_view, camera_view_from_world(camera));
+}
+
+// Pass 1: ambient light to one texture, diffuse and specular light to another.
+static void draw_surfaces(const Frame *frame) {
+    const Program *program = &frame->programs[PROGRAM_SPLIT];
+    vec3s sky = frame->flat_light ? vec3_make(0, 0, 0) : frame->scene->background;
+#ifdef SOLUTION // 7.1
+    int width = frame->width, height = frame->height;
+    glBindFramebuffer(GL_FRAMEBUFFER, state.framebuffer);
+    glClearBufferfv(GL_COLOR, 0, (float[]){sky.x, sky.y, sky.z, 1});
+    glClearBufferfv(GL_COLOR, 1, (float[]){0, 0, 0, 1});
+    glClear(GL_DEPTH_BUFFER_BIT);
+    draw_scene(frame, program, clip_from_world(frame), frame->scene->camera.eye);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, frame->framebuffer);
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
+                      GL_NEAREST);
+#else
+    // TODO(7.1), second part: bind state.framebuffer; clear its colour 0 to sky, its colour 1 to black, and
+    // its depth; draw the scene as below; copy colour 0 and the depth, all of them, to frame->framebuffer.
+    // Look up: glClearBufferfv, glBlitFramebuffer with GL_READ_FRAMEBUFFER and GL_DRAW_FRAMEBUFFER.
+    (void)sky;
+    draw_scene(frame, program, clip_from_world(frame), frame->scene->camera.eye);
+#endif
+}
+
+// Pass 2: count the volumes between the eye and each visible point. Near caps lie on faces of their casters:
+// the polygon offset puts them just behind, else rounding would decide.
+static void draw_volumes(const Frame *frame) {
+    const Program *program = &frame->programs[PROGRAM_VOLUME];
+    bool z_fail = frame->knobs[KNOB_METHOD] > 0;
+    draw_to_frame(frame);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(0, 16);
+#ifdef SOLUTION // 7.6
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 0, 0xff);
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
+#else
+    // TODO(7.6): z-pass. Close the masks of colour and depth; draw back faces too; the stencil test always
+    // passes, and where the depth test does, front faces add one and back faces take one away, with wrapping.
+    // Look up: glColorMask, glDepthMask, glStencilFunc, glStencilOpSeparate. Until then the volumes are seen,
+    // as haze.
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+#endif
+    if (z_fail) {
+#ifdef SOLUTION // 7.8
+        glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
+        glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
+        glDepthFunc(GL_LEQUAL);
+#else
+        // TODO(7.8): z-fail. Count where the depth test fails instead: there back faces add one and front
+        // faces take one away. A cap at infinity (depth 1) must pass before an empty sky (depth 1 too). Look
+        // up: glDepthFunc.
+#endif
+    }
+    program_set_vec3(program, "u_constant", vec3_make(0.1f, 0.1f, 0));
+    draw_begin(frame, program, clip_from_world(frame), frame->scene->camera.eye);
+    casters_draw(frame, program);
+#ifdef SOLUTION // 7.6
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+#else
+    // TODO(7.6), second part: open the mask of the colour again, for the next pass.
+#endif
+}
+
+// Pass 3: diffuse and specular light where no volume was counted.
+static void draw_light(const Frame *frame) {
+    glDisable(GL_DEPTH_TEST);
+#ifdef SOLUTION // 7.3
+    const Program *program = &frame->programs[PROGRAM_TEXTURE];
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    glStencilFunc(GL_EQUAL, 0, 0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    program_set_texture(program, "u_texture", 0, GL_TEXTURE_2D, state.diffuse_specular);
+    draw_fullscreen(program);
+#else
+    // TODO(7.3): add state.diffuse_specular to the picture where the stencil is 0, without changing the
+    // stencil: draw a full-screen triangle with PROGRAM_TEXTURE. Look up: glBlendFunc, glStencilFunc,
+    // glStencilOp, program_set_texture and draw_fullscreen in common/.
+    (void)frame;
+#endif
+}
+
+static void show_stages(const Frame *frame) {
+    frame_view_draw(&state.view, frame, &frame->programs[PROGRAM_CONSTANT]);
+}
+
+const Lab lab = {
+    .title = "Shadow volumes",
+    .programs = {[PROGRAM_SPLIT] = {"scene.vert", "split.frag", NULL},
+                 [PROGRAM_VOLUME] = {"scene.vert", "constant.frag", "volume.geom"},
+                 [PROGRAM_TEXTURE] = {"fullscreen.vert", "texture.frag", NULL},
+                 [PROGRAM_CONSTANT] = {"fullscreen.vert", "constant.frag", NULL}},
+    .knobs = {[KNOB_METHOD] = {"method", "0: z-pass, 1: z-fail", 0, 1, 1}},
+    .passes = {{"surfaces", draw_surfaces},
+               {"volumes", draw_volumes},
+               {"light", draw_light},
+               {"stages", show_stages}},
+    .stages = {{"ambient", &state.ambient},
+               {"diffuse and specular", &state.diffuse_specular},
+               {"stencil counts", &state.view.counts.color},
+               {"last rows", &state.view.rows.color}},
+    .create = create,
+    .destroy = destroy,
+};
