@@ -67,8 +67,8 @@ static void write_file(const char *name, void *context) {
         return;
     files_join(from, job->from, name);
     files_join(to, job->to, name);
-    bool source = ends_with(name, ".c") || ends_with(name, ".vert") || ends_with(name, ".frag") ||
-                  ends_with(name, ".geom") || ends_with(name, ".glsl");
+    bool source = ends_with(name, ".c") || ends_with(name, ".h") || ends_with(name, ".vert") ||
+                  ends_with(name, ".frag") || ends_with(name, ".geom") || ends_with(name, ".glsl");
     job->ok = source ? write_skeleton(from, to) : copy_file(from, to);
 }
 
