@@ -10,7 +10,7 @@ SUBMISSION ?= labs
 ARGS ?=
 
 PACKAGES := libpng jansson
-ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -D_GNU_SOURCE -DCGLM_ALL_UNALIGNED \
+ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fno-math-errno -D_GNU_SOURCE -DCGLM_ALL_UNALIGNED \
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 

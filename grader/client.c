@@ -28,6 +28,8 @@ bool client_start(Client *client) {
     char *environment[] = {"LP_NUM_THREADS=0",
                            "LIBGL_ALWAYS_SOFTWARE=1",
                            "ASAN_OPTIONS=detect_leaks=0",
+                           "MALLOC_MMAP_THRESHOLD_=1000000000",
+                           "MALLOC_TRIM_THRESHOLD_=1000000000",
                            "LC_ALL=C",
                            ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true",
                            NULL};

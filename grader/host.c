@@ -137,6 +137,11 @@ static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) 
     running = NULL;
 }
 
+static uint8_t quantise_channel(float value) {
+    float clamped = value < 0 ? 0 : value > 1 ? 1 : value;
+    return (uint8_t)lrintf(clamped * 255);
+}
+
 // 8 bits a channel, top row first; a pixel with a NaN or an infinity gets alpha 0.
 static void quantise(const float *colors, uint8_t *pixels, int width, int height) {
     for (int y = 0; y < height; y++)
@@ -145,7 +150,7 @@ static void quantise(const float *colors, uint8_t *pixels, int width, int height
             uint8_t *to = pixels + 4 * ((size_t)y * (size_t)width + (size_t)x);
             bool finite = isfinite(from[0]) && isfinite(from[1]) && isfinite(from[2]);
             for (int c = 0; c < 3; c++)
-                to[c] = finite ? (uint8_t)lrintf(fminf(fmaxf(from[c], 0), 1) * 255) : 0;
+                to[c] = finite ? quantise_channel(from[c]) : 0;
             to[3] = finite ? 255 : 0;
         }
 }
