@@ -33,8 +33,9 @@ static bool hits_box(vec3s from, vec3s along, float max_distance) {
 }
 
 static bool hits_sphere(vec3s from, vec3s along, float max_distance) {
-    float a = glms_vec3_dot(along, along), b = glms_vec3_dot(from, along), c = glms_vec3_dot(from, from) - 1;
-    float root = b * b - a * c;
+    float a = glms_vec3_dot(along, along), b = glms_vec3_dot(from, along);
+    vec3s across = glms_vec3_cross(from, along); // b * b - a * (from^2 - 1) would lose all digits far away
+    float root = a - glms_vec3_dot(across, across);
     if (root < 0)
         return false;
     root = sqrtf(root);
