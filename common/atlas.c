@@ -81,7 +81,7 @@ static void place_charts(Atlas *atlas, const int *owners) {
 }
 
 bool atlas_layout(Atlas *atlas, const Scene *scene, float texels_per_unit, int padding) {
-    int owners[ATLAS_MAX_CHARTS];
+    int owners[ATLAS_MAX_CHARTS] = {0};
     atlas_destroy(atlas);
     atlas->padding = padding;
     for (int o = 0; o < scene->object_count; o++)

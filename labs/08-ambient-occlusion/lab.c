@@ -65,10 +65,7 @@ static void bake(const Frame *frame) {
 }
 
 static bool create(const Frame *frame) {
-    glGenTextures(1, &state.texture);
-    glBindTexture(GL_TEXTURE_2D, state.texture);
-    const GLint grey[] = {GL_RED, GL_RED, GL_RED, GL_ONE}; // to look at
-    glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, grey);
+    state.texture = gl_create_grey_texture();
     return geometry_create(&state.geometry, frame) &&
            target_create(&state.screen, frame->width, frame->height, GL_RGBA8, 0);
 }
