@@ -106,8 +106,10 @@ static void draw_object(const Object *object, const Program *program) {
 }
 
 void draw_objects(const Frame *frame, const Program *program) {
-    for (int i = 0; i < frame->scene->object_count; i++)
+    for (int i = 0; i < frame->scene->object_count; i++) {
+        glUniform1i(program_find(program, "u_object"), i);
         draw_object(&frame->scene->objects[i], program);
+    }
     glBindVertexArray(0);
 }
 

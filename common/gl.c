@@ -144,3 +144,14 @@ void gl_reset(void) {
     glUseProgram(0);
     unbind_textures();
 }
+
+GLuint gl_create_grey_texture(void) {
+    const GLint grey[] = {GL_RED, GL_RED, GL_RED, GL_ONE};
+    GLuint texture;
+    glGenTextures(1, &texture);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, grey);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    return texture;
+}

@@ -105,6 +105,10 @@ void program_set_vec3(const Program *program, const char *name, vec3s value) {
     glUniform3fv(use_and_find(program, name), 1, value.raw);
 }
 
+void program_set_vec4s(const Program *program, const char *name, const vec4s *values, int count) {
+    glUniform4fv(use_and_find(program, name), count, values[0].raw);
+}
+
 void program_set_float(const Program *program, const char *name, float value) {
     glUniform1f(use_and_find(program, name), value);
 }

@@ -25,6 +25,7 @@ void program_destroy(Program *program); // accepts a zeroed program
 // is not.
 void program_set_mat4(const Program *program, const char *name, mat4s value);
 void program_set_vec3(const Program *program, const char *name, vec3s value);
+void program_set_vec4s(const Program *program, const char *name, const vec4s *values, int count); // an array
 void program_set_float(const Program *program, const char *name, float value);
 void program_set_int(const Program *program, const char *name, int value);
 

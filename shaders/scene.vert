@@ -7,10 +7,19 @@ layout(location = 2) in vec2 a_uv;
 
 uniform mat4 u_world_from_object;
 uniform mat4 u_clip_from_world;
+uniform int u_object;
 
 out vec3 v_position_world;
 out vec3 v_normal_world;
 out vec2 v_uv;
+flat out int v_face; // of flat shapes: the number of the face among all faces, six an object
+
+// +x, -x, +y, -y, +z, -z in object space: 0 to 5.
+int face_number(vec3 normal)
+{
+    int axis = abs(normal.x) > 0.5 ? 0 : abs(normal.y) > 0.5 ? 1 : 2;
+    return 2 * axis + (normal[axis] < 0.0 ? 1 : 0);
+}
 
 void main()
 {
@@ -19,5 +28,6 @@ void main()
     // The inverse transpose keeps normals upright under a scale that differs by axis.
     v_normal_world = transpose(inverse(mat3(u_world_from_object))) * a_normal;
     v_uv = a_uv;
+    v_face = 6 * u_object + face_number(a_normal);
     gl_Position = u_clip_from_world * position_world;
 }

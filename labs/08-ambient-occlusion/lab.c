@@ -1,0 +1,117 @@
+// Lab 08: ambient occlusion. How much of the sky is hidden: by rays, and from the picture alone.
+#include "atlas.h"
+#include "geometry.h"
+#include "lab.h"
+#include "ray.h"
+#include "samples.h"
+
+enum { KNOB_DENSITY, KNOB_PADDING, KNOB_RAYS, KNOB_RAY_LENGTH, KNOB_METHOD, KNOB_PATTERN };
+enum { PROGRAM_GEOMETRY, PROGRAM_SCREEN, PROGRAM_PICTURE };
+
+static struct {
+    Atlas atlas;             // on our side: charts and texels
+    GLuint texture;          // on OpenGL's side: the same texels
+    Target geometry, screen; // for the screen-space method
+} state;
+
+// Direction of a ray, in the world, from two numbers in [0, 1) x [0, 1).
+static vec3s cosine_direction(const Chart *chart, vec2s pair) {
+    // TODO(8.7): a point of the unit disc, at the radius r = sqrt(pair.x) and the angle 2 pi pair.y, lifted
+    // onto the hemisphere: x = r cos, y = r sin, z = sqrt(1 - pair.x). In the world: x right + y up + z
+    // normal of the chart. Until then all rays go straight up. Look up: glms_vec3_scale, glms_vec3_add.
+    return (void)pair, chart->normal;
+}
+
+// Share of the rays from this place that hit something. The texel's number is the seed of its rays.
+static float occlusion_at(const Frame *frame, const Chart *chart, vec3s position, int texel) {
+    int rays = (int)frame->knobs[KNOB_RAYS], hits = 0;
+    // TODO(8.6): from RAY_OFFSET above the place, along the normal, cast `rays` rays as long as the knob
+    // says, the i-th in the direction that sample_pair(texel, i, rays) gives. Count hits. Look up: ray_hits.
+    (void)chart, (void)position, (void)texel, (void)cosine_direction;
+    return (float)hits / (float)rays;
+}
+
+static float bake_at(const Frame *frame, const Chart *chart, vec3s position, int texel) {
+    if (frame->knobs[KNOB_PATTERN] > 0) // stripes that show where each texel lies
+        return 0.5f + 0.5f * sinf(3 * position.x + 4 * position.y + 5 * position.z);
+    return occlusion_at(frame, chart, position, texel);
+}
+
+static void fill_chart(const Frame *frame, Atlas *atlas, const Chart *chart) {
+    // TODO(8.2): give each texel (x, y) of the chart bake_at of its middle: s = (x + 1/2) / width, t
+    // likewise. Its number is row * atlas->width + column, counted in the atlas. Look up: atlas_position,
+    // Chart.
+    (void)frame, (void)atlas, (void)chart, (void)bake_at;
+}
+
+static void pad_chart(Atlas *atlas, const Chart *chart) {
+    // TODO(8.5): give each texel of the padding (x from -padding to width + padding - 1, y likewise) the
+    // value of the chart's texel nearest to it: x limited to 0 .. width - 1, y to 0 .. height - 1.
+    (void)atlas, (void)chart;
+}
+
+static void bake(const Frame *frame) {
+    Atlas *atlas = &state.atlas;
+    if (frame->knobs[KNOB_METHOD] > 0 ||
+        !atlas_layout(atlas, frame->scene, frame->knobs[KNOB_DENSITY], (int)frame->knobs[KNOB_PADDING]))
+        return;
+    for (int c = 0; c < atlas->chart_count; c++) {
+        fill_chart(frame, atlas, &atlas->charts[c]);
+        pad_chart(atlas, &atlas->charts[c]);
+    }
+    glBindTexture(GL_TEXTURE_2D, state.texture);
+    // TODO(8.1): give the texture the size and the texels of the atlas, one float each (GL_R32F, GL_RED,
+    // GL_FLOAT), and linear filters without mipmaps. Look up: glTexImage2D, glTexParameteri.
+}
+
+static bool create(const Frame *frame) {
+    state.texture = gl_create_grey_texture();
+    return geometry_create(&state.geometry, frame) &&
+           target_create(&state.screen, frame->width, frame->height, GL_RGBA8, 0);
+}
+
+static void destroy(void) {
+    glDeleteTextures(1, &state.texture);
+    state.texture = 0;
+    target_destroy(&state.geometry);
+    target_destroy(&state.screen);
+    atlas_destroy(&state.atlas);
+}
+
+static void draw_screen_occlusion(const Frame *frame) {
+    const Program *program = &frame->programs[PROGRAM_SCREEN];
+    if (frame->knobs[KNOB_METHOD] <= 0)
+        return;
+    geometry_draw(&state.geometry, frame, &frame->programs[PROGRAM_GEOMETRY]);
+    target_bind(&state.screen);
+    geometry_use(&state.geometry, frame, program);
+    program_set_float(program, "u_radius", frame->knobs[KNOB_RAY_LENGTH]);
+    draw_fullscreen(program);
+}
+
+static void draw_picture(const Frame *frame) {
+    const Program *program = &frame->programs[PROGRAM_PICTURE];
+    draw_to_frame(frame);
+    program_set_texture(program, "u_baked", 0, GL_TEXTURE_2D, state.texture);
+    program_set_texture(program, "u_screen", 1, GL_TEXTURE_2D, state.screen.color);
+    program_set_int(program, "u_use_screen", frame->knobs[KNOB_METHOD] > 0);
+    program_set_vec4s(program, "u_charts", state.atlas.rectangles, ATLAS_MAX_CHARTS);
+    draw_scene(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+}
+
+const Lab lab = {
+    .title = "Ambient occlusion",
+    .programs = {[PROGRAM_GEOMETRY] = {"scene.vert", "geometry.frag", NULL},
+                 [PROGRAM_SCREEN] = {"fullscreen.vert", "ssao.frag", NULL},
+                 [PROGRAM_PICTURE] = {"scene.vert", "occlusion.frag", NULL}},
+    .knobs = {[KNOB_DENSITY] = {"texel density", "texels per unit", 1, 16, 4},
+              [KNOB_PADDING] = {"padding", "texels", 0, 4, 1},
+              [KNOB_RAYS] = {"rays", "per texel", 1, 4096, 64},
+              [KNOB_RAY_LENGTH] = {"ray length", "world units", 0.1f, 100, 100},
+              [KNOB_METHOD] = {"method", "0: baked, 1: screen space", 0, 1, 0},
+              [KNOB_PATTERN] = {"test pattern", "0: rays, 1: stripes", 0, 1, 0}},
+    .passes = {{"bake", bake}, {"screen occlusion", draw_screen_occlusion}, {"picture", draw_picture}},
+    .stages = {{"baked occlusion", &state.texture}, {"screen occlusion", &state.screen.color}},
+    .create = create,
+    .destroy = destroy,
+};
