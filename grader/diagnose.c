@@ -14,7 +14,7 @@ static const double NEAR = 0.2;
 
 // Sums of distances over the frames of a check.
 typedef struct Distances {
-    double to_reference, to_without, to_skeleton;
+    double to_reference;
     double to_mistake[EXAM_MAX_MISTAKES];
 } Distances;
 
@@ -28,8 +28,6 @@ static void measure_ours(Distances *distances, const CheckResult *check, const V
     *distances = (Distances){0};
     for (int n = 0; n < check->check->variants; n++) {
         distances->to_reference += score_rmse(&check->yours[n], &variants[n].reference);
-        distances->to_without += score_rmse(&check->yours[n], &variants[n].without);
-        distances->to_skeleton += score_rmse(&check->yours[n], &variants[n].skeleton);
     }
 }
 
@@ -82,17 +80,13 @@ static int find_own(const Check *check, const Distances *distances, const Rubric
     return best;
 }
 
-// Is the picture still the one before the task?
-static bool untouched(const Distances *distances) {
-    return distances->to_without == 0 || distances->to_skeleton == 0;
-}
-
 static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam) {
     const Rubric *rubric = exam->rubric;
     int own = common >= 0 ? common : find_own(check->check, distances, rubric);
     char text[256];
-    if (common < 0 && untouched(distances)) {
-        bool alone = distances->to_without == 0;
+    Touch touch = result_touch(check, exam->variants[check->check - rubric->checks]);
+    if (common < 0 && touch != TOUCH_CHANGED) {
+        bool alone = touch == TOUCH_TASK_MISSING;
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task,
                  alone ? "" : " or one before it");
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
@@ -123,7 +117,7 @@ bool diagnose(LabResult *result, Exam *exam, Roster *roster) {
         if (wants_cause(&result->checks[c])) {
             measure_ours(&distances[c], &result->checks[c], exam->variants[c]);
             wanted = true;
-            touched = touched || !untouched(&distances[c]);
+            touched = touched || result_touch(&result->checks[c], exam->variants[c]) == TOUCH_CHANGED;
         }
     if (!wanted)
         return true;

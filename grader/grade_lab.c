@@ -105,6 +105,17 @@ static void add_ratio(Ratios *ratios, float milliseconds, const Variant *variant
     image_destroy(&again);
 }
 
+// Points of the optional checks that were left as they were.
+static double points_left(const LabResult *result, const Exam *exam) {
+    double points = 0;
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        if (check->check->optional && result_touch(check, exam->variants[c]) != TOUCH_CHANGED)
+            points += check->check->points;
+    }
+    return points;
+}
+
 void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster) {
     Ratios ratios = {0};
     bool alive = true;
@@ -120,7 +131,8 @@ void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *
     }
     qsort(ratios.values, (size_t)ratios.count, sizeof ratios.values[0], by_value);
     result->speed_ratio = ratios.count > 0 ? ratios.values[ratios.count / 2] : 0;
-    bool passed = result->score >= exam->rubric->pass_mark / 100 * result->max_score;
+    bool passed =
+        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
     if (!result->message[0])
         result->status = passed ? LAB_PASSED : LAB_FAILED;
 }

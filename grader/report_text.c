@@ -18,9 +18,9 @@ static void print_lines(FILE *out, const char *prefix, const char *text) {
 }
 
 static void print_check(const CheckResult *check, FILE *out, const Colors *colors) {
-    fprintf(out, "  %s%s%s %6.2f/%-3d %-4s %s\n", check->passed ? colors->good : colors->bad,
+    fprintf(out, "  %s%s%s %6.2f/%-3d %-4s %s%s\n", check->passed ? colors->good : colors->bad,
             check->passed ? "ok  " : "FAIL", colors->end, result_points(check), check->check->points,
-            check->check->task, check->check->name);
+            check->check->task, check->check->name, check->check->optional ? " (optional)" : "");
     if (!check->has_cause)
         return;
     fprintf(out, "         %s%s%s\n", colors->bold, check->mistake, colors->end);

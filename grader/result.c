@@ -1,6 +1,7 @@
 #include "result.h"
 
 #include "check.h"
+#include "score.h"
 
 #include <math.h>
 
@@ -11,6 +12,15 @@ const char *result_status_name(LabStatus status) {
 
 double result_points(const CheckResult *check) {
     return round(check->share * check->check->points * 100) / 100;
+}
+
+Touch result_touch(const CheckResult *check, const Variant *variants) {
+    double to_without = 0, to_skeleton = 0;
+    for (int n = 0; n < check->check->variants; n++) {
+        to_without += score_rmse(&check->yours[n], &variants[n].without);
+        to_skeleton += score_rmse(&check->yours[n], &variants[n].skeleton);
+    }
+    return to_without == 0 ? TOUCH_TASK_MISSING : to_skeleton == 0 ? TOUCH_AS_SKELETON : TOUCH_CHANGED;
 }
 
 double result_score(const Report *report) {

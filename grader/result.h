@@ -45,6 +45,10 @@ typedef struct Report {
 // As in the JSON: "passed", ...
 const char *result_status_name(LabStatus status);
 double result_points(const CheckResult *check); // rounded to hundredths
+
+// Are all pictures of the check still those of the solution without its task, or else of the skeleton?
+typedef enum Touch { TOUCH_TASK_MISSING, TOUCH_AS_SKELETON, TOUCH_CHANGED } Touch;
+Touch result_touch(const CheckResult *check, const Variant *variants);
 double result_score(const Report *report);
 double result_max_score(const Report *report);
 void result_destroy_lab(LabResult *lab); // accepts a zeroed result

@@ -51,7 +51,8 @@ static bool read_check(Rubric *rubric, json_t *entry, int index) {
                      .view = json_string_value(json_object_get(entry, "view")),
                      .scene = json_string_value(json_object_get(entry, "scene")),
                      .points = (int)json_integer_value(json_object_get(entry, "points")),
-                     .variants = (int)json_integer_value(json_object_get(entry, "variants"))};
+                     .variants = (int)json_integer_value(json_object_get(entry, "variants")),
+                     .optional = json_is_true(json_object_get(entry, "optional"))};
     if (!check->name || !check->task || !check->view || !check->scene)
         return missing(rubric, "rubric.json", index, "name\", \"task\", \"view\" and \"scene");
     if (check->points <= 0 || check->variants <= 0)

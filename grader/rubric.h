@@ -15,6 +15,7 @@ typedef struct Check {
     const char *view;  // "picture", "visibility" or a stage of the lab
     const char *scene; // a name in common/scenes.c
     int points, variants;
+    bool optional; // who leaves it untouched passes without it
     struct {
         const char *name;
         float value;

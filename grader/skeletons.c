@@ -1,5 +1,6 @@
-// skeletons OUTPUT: writes the labs for students, made from solutions/: each source with every task
-// left to do, the handout and its pictures, and nothing else. What is unchanged is not rewritten.
+// skeletons OUTPUT [TASK]: writes the labs for students, made from solutions/: each source with every task
+// left to do (or solved up to TASK, "3.5"), the handout and its pictures, and nothing else. What is unchanged
+// is not rewritten.
 #include "check.h"
 #include "derive.h"
 #include "home.h"
@@ -10,6 +11,7 @@
 
 typedef struct Job {
     const char *output;
+    Solved solved;
     char from[FILES_PATH], to[FILES_PATH];
     bool ok;
 } Job;
@@ -51,9 +53,9 @@ static bool copy_file(const char *from, const char *to) {
     return ok;
 }
 
-static bool write_skeleton(const char *from, const char *to) {
+static bool write_skeleton(const char *from, const char *to, Solved solved) {
     char *text = files_read(from, DERIVE_MAX_FILE);
-    char *skeleton = text ? source_select(from, text, (Solved){SOLVED_NONE, NULL}, false) : NULL;
+    char *skeleton = text ? source_select(from, text, solved, false) : NULL;
     bool ok = skeleton && write_changed(to, skeleton, strlen(skeleton));
     free(text);
     free(skeleton);
@@ -69,7 +71,7 @@ static void write_file(const char *name, void *context) {
     files_join(to, job->to, name);
     bool source = ends_with(name, ".c") || ends_with(name, ".h") || ends_with(name, ".vert") ||
                   ends_with(name, ".frag") || ends_with(name, ".geom") || ends_with(name, ".glsl");
-    job->ok = source ? write_skeleton(from, to) : copy_file(from, to);
+    job->ok = source ? write_skeleton(from, to, job->solved) : copy_file(from, to);
 }
 
 static void write_lab(const char *id, void *context) {
@@ -84,11 +86,12 @@ static void write_lab(const char *id, void *context) {
 
 int main(int count, char **arguments) {
     static Job job = {.ok = true};
-    if (count != 2) {
-        fprintf(stderr, "usage: build/skeletons OUTPUT (see `make skeletons`)\n");
+    if (count != 2 && count != 3) {
+        fprintf(stderr, "usage: build/skeletons OUTPUT [TASK] (see `make skeletons`)\n");
         return 2;
     }
     job.output = arguments[1];
+    job.solved = count == 3 ? (Solved){SOLVED_UP_TO, arguments[2]} : (Solved){SOLVED_NONE, NULL};
     job.ok = home_list_labs(write_lab, &job) && job.ok;
     if (!job.ok)
         fprintf(stderr, "skeletons: %s\n", check_message());

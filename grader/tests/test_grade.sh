@@ -41,6 +41,17 @@ grades --lab 03 --seed 1 labs
 expect "hints in the text" 1 "task 3.1 is not done" "It is task 2.4 of the last lab again" "[..............................] 0.00 of 100 points, failed"
 [[ $out != *$'\033'* ]] && ok || bad "no colour codes in a pipe"
 
+# A lab solved half-way, and one without its optional tasks.
+"$BUILD/skeletons" "$work/upto" 3.5 >/dev/null
+grades --lab 03 --seed 1 "$work/upto"
+expect "half solved" 1 "ok    12.00/12  3.5  comparison: spot light" "FAIL   0.00/8   3.6  lit outside the map" "points, failed"
+"$BUILD/skeletons" "$work/optional" 8.7 >/dev/null
+grades --lab 08 --seed 1 "$work/optional"
+expect "without the optional tasks" 0 "(optional)" "87.00 of 100 points, passed"
+sed -i 's/    return false;/    return true;/' "$work"/optional/08-*/ssao.frag
+grades --lab 08 --seed 1 "$work/optional"
+expect "an optional task done wrong" 1 "87.00 of 100 points, failed"
+
 # Evidence.
 grades --lab 03 --seed 1 --output "$work/evidence" "$half"
 [[ $(ls "$work"/evidence/03/*-{yours,reference,difference}.png | wc -l) -ge 3 ]] && ok || bad "--output writes pictures" "$(ls -R "$work/evidence")"

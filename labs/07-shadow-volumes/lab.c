@@ -36,7 +36,7 @@ static void destroy(void) {
 static mat4s clip_from_world(const Frame *frame) {
     const Camera *camera = &frame->scene->camera;
     mat4s clip_from_view = camera_clip_from_view(camera, (float)frame->width / (float)frame->height);
-    // TODO(7.9): a far plane would cut the volumes off. Let it go to infinity in the two elements that hold
+    // TODO(7.8): a far plane would cut the volumes off. Let it go to infinity in the two elements that hold
     // it (the handout has the limits); raw[column][row].
     return glms_mat4_mul(clip_from_view, camera_view_from_world(camera));
 }
@@ -67,7 +67,7 @@ static void draw_volumes(const Frame *frame) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     if (z_fail) {
-        // TODO(7.8): z-fail. Count where the depth test fails instead: there back faces add one and front
+        // TODO(7.9): z-fail. Count where the depth test fails instead: there back faces add one and front
         // faces take one away. A cap at infinity (depth 1) must pass before an empty sky (depth 1 too). Look
         // up: glDepthFunc.
     }

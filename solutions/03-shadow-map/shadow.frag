@@ -15,11 +15,11 @@ out vec4 o_color;
 float visibility(vec3 position_world)
 {
     vec4 position_light_clip = u_light_clip_from_world * vec4(position_world, 1.0);
-#ifdef SOLUTION // 3.8
+#ifdef SOLUTION // 3.7
     if (position_light_clip.w <= 0.0)
         return 0.0;
 #else
-    // TODO(3.8): a spot light shines forwards only: a point behind it (w <= 0) gets no light. Return 0.
+    // TODO(3.7): a spot light shines forwards only: a point behind it (w <= 0) gets no light. Return 0.
 #endif
 #ifdef SOLUTION // 3.5
     vec3 position_map = position_light_clip.xyz / position_light_clip.w * 0.5 + 0.5;
@@ -27,11 +27,11 @@ float visibility(vec3 position_world)
     // TODO(3.5): from clip space to the map: divide by w, then bring [-1, 1] to [0, 1].
     vec3 position_map = vec3(0.0);
 #endif
-#ifdef SOLUTION // 3.7
+#ifdef SOLUTION // 3.8
     if (position_map.z > 1.0)
         return 1.0;
 #else
-    // TODO(3.7): a point beyond the far plane of the light (z > 1) is lit: return 1.
+    // TODO(3.8): a point beyond the far plane of the light (z > 1) is lit: return 1.
 #endif
 #ifdef SOLUTION // 3.5
     float depth = texture(u_shadow_map, position_map.xy).r;

@@ -49,11 +49,11 @@ static void destroy(void) {
 static mat4s clip_from_world(const Frame *frame) {
     const Camera *camera = &frame->scene->camera;
     mat4s clip_from_view = camera_clip_from_view(camera, (float)frame->width / (float)frame->height);
-#ifdef SOLUTION // 7.9
+#ifdef SOLUTION // 7.8
     clip_from_view.raw[2][2] = -1;
     clip_from_view.raw[3][2] = -2 * camera->near_plane;
 #else
-    // TODO(7.9): a far plane would cut the volumes off. Let it go to infinity in the two elements that hold
+    // TODO(7.8): a far plane would cut the volumes off. Let it go to infinity in the two elements that hold
     // it (the handout has the limits); raw[column][row].
 #endif
     return glms_mat4_mul(clip_from_view, camera_view_from_world(camera));
@@ -107,12 +107,12 @@ static void draw_volumes(const Frame *frame) {
     glBlendFunc(GL_ONE, GL_ONE);
 #endif
     if (z_fail) {
-#ifdef SOLUTION // 7.8
+#ifdef SOLUTION // 7.9
         glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
         glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
         glDepthFunc(GL_LEQUAL);
 #else
-        // TODO(7.8): z-fail. Count where the depth test fails instead: there back faces add one and front
+        // TODO(7.9): z-fail. Count where the depth test fails instead: there back faces add one and front
         // faces take one away. A cap at infinity (depth 1) must pass before an empty sky (depth 1 too). Look
         // up: glDepthFunc.
 #endif
