@@ -80,7 +80,34 @@ static int find_own(const Check *check, const Distances *distances, const Rubric
     return best;
 }
 
-static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam) {
+// When the picture is that of a lab solved only up to some task: the task after it. Else NULL.
+static const char *next_task(const CheckResult *check, const Variant *variant, Roster *roster) {
+    static Reply reply;
+    const char *found = NULL;
+    Image theirs = {0};
+    for (int n = 1; !found && rubric_task(roster->rubric, n + 1); n++) {
+        const char *task = rubric_task(roster->rubric, n);
+        const Painter *painter = task ? roster_get(roster, (Solved){SOLVED_UP_TO, task}, NULL) : NULL;
+        bool same = painter && roster_draw(roster, painter, &variant->request, &theirs, &reply) &&
+                    score_rmse(&check->yours[check->worst], &theirs) == 0;
+        found = same ? rubric_task(roster->rubric, n + 1) : NULL;
+    }
+    image_destroy(&theirs);
+    return found;
+}
+
+static void name_kind(CheckResult *check, const Variant *variant, Roster *roster) {
+    char text[256];
+    const char *task = next_task(check, variant, roster);
+    if (task)
+        snprintf(text, sizeof text, "task %s or one after it is not done", task);
+    else
+        error_kind(text, sizeof text, &check->yours[check->worst], &variant->reference);
+    name_cause(check, text, rubric_hint(roster->rubric, task ? task : check->check->task, 0));
+}
+
+static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam,
+                    Roster *roster) {
     const Rubric *rubric = exam->rubric;
     int own = common >= 0 ? common : find_own(check->check, distances, rubric);
     char text[256];
@@ -93,9 +120,7 @@ static void explain(CheckResult *check, const Distances *distances, int common, 
     } else if (own >= 0 && (common >= 0 || !error_kind_is_plain(&check->yours[check->worst]))) {
         name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
     } else {
-        const Variant *variant = &exam->variants[check->check - rubric->checks][check->worst];
-        error_kind(text, sizeof text, &check->yours[check->worst], &variant->reference);
-        name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
+        name_kind(check, &exam->variants[check->check - rubric->checks][check->worst], roster);
     }
 }
 
@@ -126,6 +151,6 @@ bool diagnose(LabResult *result, Exam *exam, Roster *roster) {
     int common = touched ? find_common(result, distances, exam->rubric->mistake_count) : -1;
     for (int c = 0; c < result->check_count; c++)
         if (wants_cause(&result->checks[c]))
-            explain(&result->checks[c], &distances[c], common, exam);
+            explain(&result->checks[c], &distances[c], common, exam, roster);
     return true;
 }

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { MAX_LABS = 80 };
+enum { MAX_LABS = 128 };
 
 static HostedLab *hosted_labs[MAX_LABS];
 static const char *running;

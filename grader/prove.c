@@ -117,12 +117,7 @@ static bool run_row(Row *row, Exam *exam, Roster *roster) {
 // One row a task that a check is about, solved up to it.
 static int list_partials(Row *rows, int count, const Rubric *rubric) {
     for (int n = 1; n < 20; n++) {
-        const char *task = NULL;
-        for (int c = 0; c < rubric->check_count; c++) {
-            const char *dot = strchr(rubric->checks[c].task, '.');
-            if (dot && atoi(dot + 1) == n)
-                task = rubric->checks[c].task;
-        }
+        const char *task = rubric_task(rubric, n);
         if (task)
             rows[count] =
                 (Row){.kind = KIND_PARTIAL, .solved = {SOLVED_UP_TO, task}, .before = &rows[count - 1]};

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-enum { ROSTER_MAX = 64 };
+enum { ROSTER_MAX = 96 };
 
 typedef struct Painter {
     Solved solved;

@@ -192,6 +192,15 @@ int rubric_points(const Rubric *rubric) {
     return points;
 }
 
+const char *rubric_task(const Rubric *rubric, int n) {
+    for (int c = 0; c < rubric->check_count; c++) {
+        const char *dot = strchr(rubric->checks[c].task, '.');
+        if (dot && atoi(dot + 1) == n)
+            return rubric->checks[c].task;
+    }
+    return NULL;
+}
+
 const char *rubric_hint(const Rubric *rubric, const char *task, int n) {
     for (int i = 0; i < rubric->hint_count; i++)
         if (strcmp(rubric->hints[i].task, task) == 0)

@@ -60,5 +60,8 @@ void rubric_destroy(Rubric *rubric); // accepts a zeroed rubric
 // Sum of the points of all checks.
 int rubric_points(const Rubric *rubric);
 
+// The task with the number n ("3.4" for 4); NULL when no check is about it.
+const char *rubric_task(const Rubric *rubric, int n);
+
 // The n-th hint (from 0) of a task; NULL past the last.
 const char *rubric_hint(const Rubric *rubric, const char *task, int n);
