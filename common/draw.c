@@ -93,7 +93,8 @@ void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_worl
         set_light(program, &scene->lights[i], i);
 }
 
-static void draw_object(const Object *object, const Program *program) {
+static void draw_object(const Scene *scene, int i, const Program *program) {
+    const Object *object = &scene->objects[i];
     const Model *model = &models[object->shape];
     glUniformMatrix4fv(program_find(program, "u_world_from_object"), 1, GL_FALSE,
                        &object->world_from_object.raw[0][0]);
@@ -101,13 +102,14 @@ static void draw_object(const Object *object, const Program *program) {
     glUniform1f(program_find(program, "u_specular"), object->specular);
     glUniform1f(program_find(program, "u_shininess"), object->shininess);
     glUniform1i(program_find(program, "u_is_screen"), object->is_screen);
+    glUniform1i(program_find(program, "u_object"), i);
     glBindVertexArray(model->vertex_array);
     glDrawElements(GL_TRIANGLES, model->index_count, GL_UNSIGNED_INT, NULL);
 }
 
 void draw_objects(const Frame *frame, const Program *program) {
     for (int i = 0; i < frame->scene->object_count; i++)
-        draw_object(&frame->scene->objects[i], program);
+        draw_object(frame->scene, i, program);
     glBindVertexArray(0);
 }
 

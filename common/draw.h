@@ -38,7 +38,7 @@ void draw_scene(const Frame *frame, const Program *program, mat4s clip_from_worl
 void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
 
 // Draws all objects with the program in use; sets what belongs to an object: u_world_from_object, u_color,
-// u_specular, u_shininess, u_is_screen.
+// u_specular, u_shininess, u_is_screen, u_object (its number in the scene).
 void draw_objects(const Frame *frame, const Program *program);
 
 // Draws one triangle that covers the viewport; for shaders/fullscreen.vert, which passes v_uv on. The caller
