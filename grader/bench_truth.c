@@ -1,10 +1,13 @@
 // bench_truth: milliseconds of the ray-traced truth, in packets and one ray at a time, in turn. Not a test.
+// "wall" is what passes on the clock, "cpu" the processor time divided by the threads: the same on an idle
+// machine.
 #include "check.h"
 #include "process.h"
 #include "truth/truth.h"
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <time.h>
 
 enum { WIDTH = 640, HEIGHT = 480, MAX_RUNS = 15, SPHERES = 10 };
 
@@ -47,6 +50,12 @@ static double median(double *values, int count) {
     return values[count / 2];
 }
 
+static double cpu_milliseconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+}
+
 static double mean_lit(const TruthPicture *picture, const float *visibility) {
     double sum = 0;
     size_t count = 0;
@@ -58,39 +67,55 @@ static double mean_lit(const TruthPicture *picture, const float *visibility) {
     return sum / (double)(count ? count : 1);
 }
 
+typedef struct Times {
+    double wall[MAX_RUNS], cpu[MAX_RUNS], mean; // milliseconds, mean visibility
+} Times;
+
+static bool time_run(const Truth *truth, const TruthPicture *picture, const TruthQuery *query,
+                     float *visibility, Times *times, int run) {
+    double start = process_now(), start_cpu = cpu_milliseconds();
+    bool ok = truth_trace(truth, picture, query, visibility);
+    times->wall[run] = 1000 * (process_now() - start);
+    times->cpu[run] = (cpu_milliseconds() - start_cpu) / TRUTH_THREADS;
+    times->mean = mean_lit(picture, visibility);
+    return ok;
+}
+
+static void print_line(const char *name, const char *way, Times *times, int runs, int rays) {
+    double wall = median(times->wall, runs), cpu = median(times->cpu, runs);
+    printf("%-26s %-8s %9.1f %9.1f %9.1f", name, way, wall, cpu, rays / cpu * WIDTH * HEIGHT / 1e3);
+    if (!isnan(times->mean))
+        printf("   %.6f", times->mean);
+    printf("\n");
+}
+
 static bool time_case(const Truth *truth, const TruthPicture *picture, const Case *timed, float *visibility) {
-    double milliseconds[2][MAX_RUNS], mean[2] = {0};
+    Times packets, singly;
+    TruthQuery query = timed->query, single_query = timed->query;
+    single_query.one_by_one = true;
     for (int run = 0; run < timed->runs; run++)
-        for (int single = 0; single < 2; single++) {
-            TruthQuery query = timed->query;
-            query.one_by_one = single == 1;
-            double start = process_now();
-            if (!truth_trace(truth, picture, &query, visibility))
-                return false;
-            milliseconds[single][run] = 1000 * (process_now() - start);
-            mean[single] = mean_lit(picture, visibility);
-        }
-    double packets = median(milliseconds[0], timed->runs), singles = median(milliseconds[1], timed->runs);
-    printf("%-26s %10.1f %10.1f %7.1f %9.1f %9.1f  %.6f %.6f\n", timed->name, packets, singles,
-           singles / packets, timed->rays / packets * WIDTH * HEIGHT / 1e3,
-           timed->rays / singles * WIDTH * HEIGHT / 1e3, mean[0], mean[1]);
+        if (!time_run(truth, picture, &query, visibility, &packets, run) ||
+            !time_run(truth, picture, &single_query, visibility, &singly, run))
+            return false;
+    print_line(timed->name, "packets", &packets, timed->runs, timed->rays);
+    print_line("", "singly", &singly, timed->runs, timed->rays);
     return true;
 }
 
 static void time_look(const Truth *truth, TruthPicture *picture) {
-    double milliseconds[MAX_RUNS];
+    Times times = {.mean = NAN};
     for (int run = 0; run < MAX_RUNS; run++) {
-        double start = process_now();
+        double start = process_now(), start_cpu = cpu_milliseconds();
         truth_look(truth, picture);
-        milliseconds[run] = 1000 * (process_now() - start);
+        times.wall[run] = 1000 * (process_now() - start);
+        times.cpu[run] = (cpu_milliseconds() - start_cpu) / TRUTH_THREADS;
     }
-    double middle = median(milliseconds, MAX_RUNS);
-    printf("%-26s %10.1f %28.1f\n", "primary hits", middle, WIDTH * HEIGHT / middle / 1e3);
+    print_line("primary hits", "packets", &times, MAX_RUNS, 1);
 }
 
 static bool bench(void) {
-    static const TruthArea light = {{{3, 7, 3}}, {{0.5f, 0, 0}}, {{0, 0, 0.5f}}};
-    static const Case cases[] = {
+    const TruthArea light = {{{3, 7, 3}}, {{0.5f, 0, 0}}, {{0, 0, 0.5f}}};
+    const Case cases[] = {
         {"hard shadow", {.kind = TRUTH_LIGHT}, MAX_RUNS, 1},
         {"area light, 256 samples", {.kind = TRUTH_DISC, .area = light, .samples = 256, .seed = 1}, 3, 256},
         {"ambient occlusion, 512", {.kind = TRUTH_OCCLUSION, .samples = 512, .seed = 1}, 3, 512},
@@ -101,9 +126,9 @@ static bool bench(void) {
     float *visibility = calloc((size_t)WIDTH * HEIGHT, sizeof *visibility);
     bool ok = visibility && truth_create(&truth, &scene) && truth_picture_create(&picture, WIDTH, HEIGHT);
     if (ok) {
-        printf("%d x %d, %d threads; medians of %d and 3 runs\n%-26s %10s %10s %7s %9s %9s  %s\n", WIDTH,
-               HEIGHT, TRUTH_THREADS, MAX_RUNS, "", "packets ms", "singly ms", "ratio", "Mray/s", "singly",
-               "mean lit");
+        printf("%d x %d, %d threads; medians of %d and 3 runs, milliseconds\n", WIDTH, HEIGHT, TRUTH_THREADS,
+               MAX_RUNS);
+        printf("%-35s %9s %9s %9s   %s\n", "", "wall", "cpu", "Mray/s", "mean lit");
         time_look(&truth, &picture);
     }
     for (size_t i = 0; ok && i < sizeof cases / sizeof cases[0]; i++)

@@ -45,8 +45,9 @@ static int aim_samples(const TruthQuery *query, int tile, Aim *aims) {
     random.state = random_next(&random);
     int across = strata_across(query->samples), down = query->samples / across;
     for (int i = 0; i < query->samples; i++) {
-        float x = ((float)(i % across) + random_range(&random, 0, 1)) / (float)across;
-        float y = ((float)(i / across) + random_range(&random, 0, 1)) / (float)down;
+        int column = i % across, row = i / across;
+        float x = ((float)column + random_range(&random, 0, 1)) / (float)across;
+        float y = ((float)row + random_range(&random, 0, 1)) / (float)down;
         aims[i] = aim_sample(query, (vec2s){{x, y}});
     }
     return query->samples;
