@@ -14,10 +14,13 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
-TOOLS := grade frame skeletons prove bench_frames
-WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view)
+TOOLS := grade frame skeletons prove bench_frames bench_truth
+WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c)))
+# The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
+TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
+ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion test_truth_lab)
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -25,7 +28,7 @@ NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_e
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 
-build: $(BUILD)/worker $(TOOLS:%=$(BUILD)/%) ## build everything (default)
+build: $(BUILD)/worker $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
@@ -56,7 +59,7 @@ sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of r
 check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 	@grader/gates $(BUILD)
 
-bench: build ## where the grader's time goes, for one lab
+bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)
@@ -81,6 +84,10 @@ $(BUILD)/glad/%.o: $(BUILD)/include/glad/gl.h
 $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
+$(ON_TRUTH): $(TRUTH)
+$(ON_TRUTH): LIBS += -lembree3 -lpthread
+$(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
+$(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
 $(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)

@@ -1,5 +1,6 @@
 #include "host.h"
 
+#include "primitives_view.h"
 #include "shader_source.h"
 
 #include <dlfcn.h>
@@ -168,7 +169,9 @@ static bool read_pixels(const Target *target, uint8_t *pixels) {
 }
 
 static bool show_view(const HostedLab *hosted, const StageView *view, const Request *request,
-                      uint8_t *pixels) {
+                      const Frame *frame, uint8_t *pixels) {
+    if (strcmp(request->view, VIEW_PRIMITIVES) == 0)
+        return primitives_view_draw(frame) && read_pixels(&hosted->picture, pixels);
     if (strcmp(request->view, VIEW_PICTURE) == 0 || strcmp(request->view, VIEW_VISIBILITY) == 0)
         return read_pixels(&hosted->picture, pixels);
     for (int i = 0; i < LAB_MAX_STAGES && hosted->lab->stages[i].name; i++)
@@ -194,7 +197,7 @@ bool host_draw(HostedLab *hosted, const StageView *view, const Request *request,
     if (!ensure_created(hosted, request, &frame))
         return false;
     run_passes(hosted->lab, &frame, milliseconds);
-    return show_view(hosted, view, request, pixels);
+    return show_view(hosted, view, request, &frame, pixels);
 }
 
 const char *host_running(void) {

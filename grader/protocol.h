@@ -19,6 +19,7 @@ enum {
 // Views that are not a stage of the lab.
 #define VIEW_PICTURE "picture"       // the frame as its viewer sees it
 #define VIEW_VISIBILITY "visibility" // lit white, shadow black, whatever the colours
+#define VIEW_PRIMITIVES "primitives" // drawn by the worker, not by the lab: see primitives_view.h
 
 typedef struct KnobSetting {
     char name[LAB_MAX_NAME];

@@ -1,0 +1,64 @@
+#include "aim.h"
+
+static Aim aim_at_light(const Light *light) {
+    vec3s forward = glms_vec3_sub(light->target, light->position);
+    if (light->kind == LIGHT_DIRECTIONAL)
+        return (Aim){.kind = AIM_DIRECTION, .value = glms_vec3_negate(forward), .limit = INFINITY};
+    return (Aim){.kind = AIM_POINT, .value = light->position, .front = forward, .limit = 1};
+}
+
+// The unit square to the unit disc, areas kept.
+static vec2s to_disc(vec2s square) {
+    float radius = sqrtf(square.x), angle = 2 * (float)GLM_PI * square.y;
+    return (vec2s){{radius * cosf(angle), radius * sinf(angle)}};
+}
+
+static Aim aim_at_area(const TruthArea *area, vec2s place) {
+    vec3s offset = glms_vec3_add(glms_vec3_scale(area->right, place.x), glms_vec3_scale(area->up, place.y));
+    return (Aim){.kind = AIM_POINT, .value = glms_vec3_add(area->center, offset), .limit = 1};
+}
+
+static Aim aim_at_sky(vec2s disc, float limit) {
+    float height = sqrtf(fmaxf(0, 1 - disc.x * disc.x - disc.y * disc.y));
+    return (Aim){
+        .kind = AIM_LOCAL, .value = vec3_make(disc.x, disc.y, height), .limit = limit > 0 ? limit : INFINITY};
+}
+
+static Aim aim_sample(const TruthQuery *query, vec2s square) {
+    if (query->kind == TRUTH_DISC)
+        return aim_at_area(&query->area, to_disc(square));
+    if (query->kind == TRUTH_RECTANGLE)
+        return aim_at_area(&query->area, (vec2s){{2 * square.x - 1, 2 * square.y - 1}});
+    return aim_at_sky(to_disc(square), query->limit);
+}
+
+static int strata_across(int samples) {
+    int across = (int)sqrtf((float)samples);
+    while (samples % across)
+        across--;
+    return across;
+}
+
+static int aim_samples(const TruthQuery *query, int tile, Aim *aims) {
+    // The tile's number is put through the generator once: neighbouring seeds share most of their sequence.
+    Random random = {query->seed + (uint64_t)tile * 0xd1342543de82ef95u};
+    random.state = random_next(&random);
+    int across = strata_across(query->samples), down = query->samples / across;
+    for (int i = 0; i < query->samples; i++) {
+        int column = i % across, row = i / across;
+        float x = ((float)column + random_range(&random, 0, 1)) / (float)across;
+        float y = ((float)row + random_range(&random, 0, 1)) / (float)down;
+        aims[i] = aim_sample(query, (vec2s){{x, y}});
+    }
+    return query->samples;
+}
+
+int aim_all(const Scene *scene, const TruthQuery *query, int tile, Aim *aims) {
+    if (query->kind != TRUTH_LIGHT && query->kind != TRUTH_LIGHTS)
+        return aim_samples(query, tile, aims);
+    int first = query->kind == TRUTH_LIGHT ? query->light : 0;
+    int count = query->kind == TRUTH_LIGHT ? 1 : scene->light_count;
+    for (int i = 0; i < count; i++)
+        aims[i] = aim_at_light(&scene->lights[first + i]);
+    return count;
+}

@@ -1,0 +1,88 @@
+// Primary rays.
+#include "tile.h"
+#include "truth.h"
+
+#include <embree3/rtcore.h>
+
+// The direction through a point of the picture is forward + x * right + y * up, x and y in -1..1: one unit of
+// depth long, so that a ray's length is the depth that GL clips at.
+typedef struct Look {
+    const Truth *truth;
+    TruthPicture *picture;
+    vec3s right, up, forward;
+} Look;
+
+static Look make_look(const Truth *truth, TruthPicture *picture) {
+    const Camera *camera = &truth->scene.camera;
+    mat4s view = camera_view_from_world(camera);
+    mat4s clip = camera_clip_from_view(camera, (float)picture->width / (float)picture->height);
+    vec3s right = vec3_make(view.m00, view.m10, view.m20), up = vec3_make(view.m01, view.m11, view.m21);
+    return (Look){.truth = truth,
+                  .picture = picture,
+                  .right = glms_vec3_divs(right, clip.m00),
+                  .up = glms_vec3_divs(up, clip.m11),
+                  .forward = vec3_make(-view.m02, -view.m12, -view.m22)};
+}
+
+static vec3s direction_of(const Look *look, int column, int row) {
+    float x = ((float)column + 0.5f) / (float)look->picture->width * 2 - 1;
+    float y = 1 - ((float)row + 0.5f) / (float)look->picture->height * 2;
+    return glms_vec3_add(look->forward,
+                         glms_vec3_add(glms_vec3_scale(look->right, x), glms_vec3_scale(look->up, y)));
+}
+
+static vec3s mix(const vec3s corners[3], float u, float v) {
+    return glms_vec3_add(glms_vec3_scale(corners[0], 1 - u - v),
+                         glms_vec3_add(glms_vec3_scale(corners[1], u), glms_vec3_scale(corners[2], v)));
+}
+
+// From the triangle, not from the ray's length: that is exact to a rounding, however far the camera is.
+static TruthHit make_hit(const Truth *truth, unsigned object, unsigned triangle, float u, float v) {
+    const Mesh *mesh = &truth->meshes[truth->scene.objects[object].shape];
+    mat4s world = truth->scene.objects[object].world_from_object;
+    mat3s normal_from_object = glms_mat3_transpose(glms_mat3_inv(glms_mat4_pick3(world)));
+    vec3s positions[3], normals[3];
+    for (int i = 0; i < 3; i++) {
+        const Vertex *vertex = &mesh->vertices[mesh->indices[3 * triangle + (unsigned)i]];
+        positions[i] = glms_mat4_mulv3(world, vertex->position, 1);
+        normals[i] = vertex->normal;
+    }
+    vec3s across = glms_vec3_sub(positions[1], positions[0]),
+          along = glms_vec3_sub(positions[2], positions[0]);
+    return (TruthHit){.object = (int32_t)object,
+                      .triangle = (int32_t)triangle,
+                      .position = mix(positions, u, v),
+                      .face_normal = glms_vec3_normalize(glms_vec3_cross(across, along)),
+                      .normal = glms_vec3_normalize(glms_mat3_mulv(normal_from_object, mix(normals, u, v)))};
+}
+
+static void look_tile(const Tile *tile, void *context) {
+    const Look *look = context;
+    const Camera *camera = &look->truth->scene.camera;
+    struct RTCRayHit16 rays = {0};
+    struct RTCIntersectContext with;
+    rtcInitIntersectContext(&with);
+    with.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    for (int i = 0; i < TILE_LANES; i++) {
+        vec3s direction = direction_of(look, tile->column[i], tile->row[i]);
+        rays.ray.org_x[i] = camera->eye.x, rays.ray.org_y[i] = camera->eye.y,
+        rays.ray.org_z[i] = camera->eye.z;
+        rays.ray.dir_x[i] = direction.x, rays.ray.dir_y[i] = direction.y, rays.ray.dir_z[i] = direction.z;
+        rays.ray.tnear[i] = camera->near_plane, rays.ray.tfar[i] = camera->far_plane;
+        rays.ray.mask[i] = ~0u;
+        rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect16(tile->inside, look->truth->tree, &with, &rays);
+    for (int i = 0; i < TILE_LANES; i++)
+        if (tile->inside[i])
+            look->picture->hits[tile->pixel[i]] =
+                rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID
+                    ? (TruthHit){.object = TRUTH_NONE, .triangle = TRUTH_NONE}
+                    : make_hit(look->truth, rays.hit.geomID[i], rays.hit.primID[i], rays.hit.u[i],
+                               rays.hit.v[i]);
+}
+
+void truth_look(const Truth *truth, TruthPicture *picture) {
+    Look look = make_look(truth, picture);
+    tile_each(picture->width, picture->height, look_tile, &look);
+}

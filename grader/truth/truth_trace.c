@@ -1,0 +1,167 @@
+// Rays from the pixels to the lights, in packets of a tile.
+#include "aim.h"
+#include "check.h"
+#include "tile.h"
+#include "truth.h"
+
+#include <embree3/rtcore.h>
+
+typedef struct Trace {
+    const Truth *truth;
+    const TruthPicture *picture;
+    const TruthQuery *query;
+    float *visibility;
+} Trace;
+
+// A tile on its way; the arrays have one entry a lane.
+typedef struct Packet {
+    struct RTCRay16 rays;
+    float frame[9][TILE_LANES];         // tangent, bitangent, face normal, world
+    int alive[TILE_LANES];              // -1: a point to be lit, 0: background
+    _Alignas(64) int valid[TILE_LANES]; // -1: this ray is traced, 0: it is dark without
+    int lit[TILE_LANES];                // rays that met nothing
+} Packet;
+
+// Two unit vectors at right angles to the unit vector n and to each other (Duff et al.: Building an
+// Orthonormal Basis, Revisited, JCGT 2017).
+static void make_frame(vec3s n, vec3s *tangent, vec3s *bitangent) {
+    float sign = copysignf(1, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+    *tangent = vec3_make(1 + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    *bitangent = vec3_make(b, sign + n.y * n.y * a, -n.y);
+}
+
+// A ray that begins on a triangle must not meet it, but must meet what stands on it. Positions are good to a
+// few units in the last place of their largest coordinate; 2^-19 of that is 16 of them.
+static vec3s origin_of(const TruthHit *hit) {
+    vec3s p = hit->position;
+    float size = fmaxf(1, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
+    return glms_vec3_add(p, glms_vec3_scale(hit->face_normal, size * 0x1p-19f));
+}
+
+static void set_lane(Packet *packet, int i, const TruthHit *hit) {
+    vec3s origin = origin_of(hit), axes[3] = {[2] = hit->face_normal};
+    make_frame(axes[2], &axes[0], &axes[1]);
+    packet->alive[i] = hit->object == TRUTH_NONE ? 0 : -1;
+    packet->rays.org_x[i] = origin.x, packet->rays.org_y[i] = origin.y, packet->rays.org_z[i] = origin.z;
+    packet->rays.mask[i] = ~0u;
+    for (int axis = 0; axis < 3; axis++)
+        for (int c = 0; c < 3; c++)
+            packet->frame[3 * axis + c][i] = axes[axis].raw[c];
+}
+
+static void aim_at_point(Packet *packet, const Aim *aim) {
+    struct RTCRay16 *rays = &packet->rays;
+    for (int i = 0; i < TILE_LANES; i++) {
+        rays->dir_x[i] = aim->value.x - rays->org_x[i];
+        rays->dir_y[i] = aim->value.y - rays->org_y[i];
+        rays->dir_z[i] = aim->value.z - rays->org_z[i];
+        float behind =
+            rays->dir_x[i] * aim->front.x + rays->dir_y[i] * aim->front.y + rays->dir_z[i] * aim->front.z;
+        packet->valid[i] = behind > 0 ? 0 : packet->alive[i];
+    }
+}
+
+static void aim_along(Packet *packet, const Aim *aim) {
+    for (int i = 0; i < TILE_LANES; i++) {
+        packet->rays.dir_x[i] = aim->value.x;
+        packet->rays.dir_y[i] = aim->value.y;
+        packet->rays.dir_z[i] = aim->value.z;
+    }
+}
+
+static void aim_in_frame(Packet *packet, const Aim *aim) {
+    float x = aim->value.x, y = aim->value.y, z = aim->value.z;
+    for (int i = 0; i < TILE_LANES; i++) {
+        packet->rays.dir_x[i] = x * packet->frame[0][i] + y * packet->frame[3][i] + z * packet->frame[6][i];
+        packet->rays.dir_y[i] = x * packet->frame[1][i] + y * packet->frame[4][i] + z * packet->frame[7][i];
+        packet->rays.dir_z[i] = x * packet->frame[2][i] + y * packet->frame[5][i] + z * packet->frame[8][i];
+    }
+}
+
+static void set_rays(Packet *packet, const Aim *aim) {
+    for (int i = 0; i < TILE_LANES; i++) {
+        packet->rays.tfar[i] = aim->limit;
+        packet->valid[i] = packet->alive[i];
+    }
+    if (aim->kind == AIM_POINT)
+        aim_at_point(packet, aim);
+    else if (aim->kind == AIM_DIRECTION)
+        aim_along(packet, aim);
+    else
+        aim_in_frame(packet, aim);
+}
+
+static void trace_singly(RTCScene tree, Packet *packet) {
+    struct RTCRay16 *rays = &packet->rays;
+    struct RTCIntersectContext with;
+    rtcInitIntersectContext(&with);
+    for (int i = 0; i < TILE_LANES; i++) {
+        if (!packet->valid[i])
+            continue;
+        struct RTCRay ray = {.org_x = rays->org_x[i],
+                             .org_y = rays->org_y[i],
+                             .org_z = rays->org_z[i],
+                             .dir_x = rays->dir_x[i],
+                             .dir_y = rays->dir_y[i],
+                             .dir_z = rays->dir_z[i],
+                             .tfar = rays->tfar[i],
+                             .mask = ~0u};
+        rtcOccluded1(tree, &with, &ray);
+        rays->tfar[i] = ray.tfar;
+    }
+}
+
+static void trace_packet(RTCScene tree, Packet *packet) {
+    struct RTCIntersectContext with;
+    rtcInitIntersectContext(&with);
+    with.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    rtcOccluded16(packet->valid, tree, &with, &packet->rays);
+}
+
+static void trace_aims(const Trace *trace, Packet *packet, const Aim *aims, int count) {
+    for (int k = 0; k < count; k++) {
+        set_rays(packet, &aims[k]);
+        if (trace->query->one_by_one)
+            trace_singly(trace->truth->tree, packet);
+        else
+            trace_packet(trace->truth->tree, packet);
+        for (int i = 0; i < TILE_LANES; i++) // Embree sets tfar of what is blocked to minus infinity
+            packet->lit[i] += packet->rays.tfar[i] >= 0 ? packet->valid[i] & 1 : 0;
+    }
+}
+
+static void trace_tile(const Tile *tile, void *context) {
+    const Trace *trace = context;
+    Packet packet = {0};
+    Aim aims[TRUTH_MAX_SAMPLES];
+    bool any = false;
+    for (int i = 0; i < TILE_LANES; i++)
+        if (tile->inside[i]) {
+            set_lane(&packet, i, &trace->picture->hits[tile->pixel[i]]);
+            any = any || packet.alive[i];
+        }
+    int count = any ? aim_all(&trace->truth->scene, trace->query, tile->index, aims) : 0;
+    trace_aims(trace, &packet, aims, count);
+    for (int i = 0; i < TILE_LANES; i++)
+        if (tile->inside[i])
+            trace->visibility[tile->pixel[i]] = count ? (float)packet.lit[i] / (float)count : 0;
+}
+
+static bool check_query(const Scene *scene, const TruthQuery *query) {
+    if (query->kind == TRUTH_LIGHT)
+        return (query->light >= 0 && query->light < scene->light_count) ||
+               check_fail("the scene has no light %d; it has %d", query->light, scene->light_count);
+    if (query->kind == TRUTH_LIGHTS)
+        return scene->light_count > 0 || check_fail("the scene has no light");
+    return (query->samples >= 1 && query->samples <= TRUTH_MAX_SAMPLES) ||
+           check_fail("%d samples a pixel: take 1 to %d", query->samples, TRUTH_MAX_SAMPLES);
+}
+
+bool truth_trace(const Truth *truth, const TruthPicture *picture, const TruthQuery *query,
+                 float *visibility) {
+    if (!check_query(&truth->scene, query))
+        return false;
+    Trace trace = {.truth = truth, .picture = picture, .query = query, .visibility = visibility};
+    tile_each(picture->width, picture->height, trace_tile, &trace);
+    return true;
+}
