@@ -100,6 +100,11 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
     return result;
 }
 
+void client_begin(Client *client) {
+    if (client->started && client->trust == TRUST_NOBODY)
+        client->process.deadline = process_now() + client->seconds;
+}
+
 void client_stop(Client *client) {
     if (client->started)
         process_stop(&client->process);

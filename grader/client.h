@@ -37,4 +37,6 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
 // Starts the worker without waiting for it, so that several start side by side. False: no process can be
 // started.
 bool client_start(Client *client);
+// The wall time of a running worker begins anew: what has passed was spent by us.
+void client_begin(Client *client);
 void client_stop(Client *client); // accepts a zeroed client

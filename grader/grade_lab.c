@@ -185,6 +185,7 @@ static bool examine(LabResult *result, const Rubric *rubric, Client *student, co
     bool ok = exam_create(exam, rubric, roster, options->seed);
     if (ok) {
         memcpy(renderer, exam->renderer, sizeof exam->renderer);
+        client_begin(student);
         grade_frames(result, exam, student, roster);
         ok = diagnose(result, exam, roster) &&
              (!options->output || report_evidence(result, exam, options->output));
