@@ -24,7 +24,7 @@ ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion 
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
-NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_egl context_osmesa draw frame_view geometry gl program \
+NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_egl context_osmesa draw frame_view geometry gl model program \
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 

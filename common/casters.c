@@ -1,39 +1,18 @@
 #include "casters.h"
 
 #include "adjacency.h"
+#include "model.h"
 
 #include <stdbool.h>
-#include <stddef.h>
 
-typedef struct Caster {
-    GLuint vertex_array;
-    GLsizei index_count; // 0 for an open shape
-} Caster;
+static Model casters[SHAPE_COUNT]; // without indices for an open shape
 
-static Caster casters[SHAPE_COUNT];
-
-static void upload(Caster *caster, const Mesh *mesh, const Adjacency *adjacency) {
-    GLuint buffers[2];
-    glGenVertexArrays(1, &caster->vertex_array);
-    glGenBuffers(2, buffers);
-    glBindVertexArray(caster->vertex_array);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, mesh->vertex_count * (GLsizeiptr)sizeof(Vertex), mesh->vertices,
-                 GL_STATIC_DRAW);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, adjacency->index_count * (GLsizeiptr)sizeof(uint32_t),
-                 adjacency->indices, GL_STATIC_DRAW);
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), (const void *)offsetof(Vertex, position));
-    caster->index_count = adjacency->index_count;
-}
-
-static bool create(Caster *caster, Shape shape) {
+static bool create(Model *caster, Shape shape) {
     Mesh mesh;
     Adjacency adjacency = {0};
     bool ok = mesh_create(&mesh, shape) && adjacency_create(&adjacency, &mesh);
     if (ok && adjacency.open_edges == 0)
-        upload(caster, &mesh, &adjacency);
+        model_create(caster, &mesh, adjacency.indices, adjacency.index_count);
     adjacency_destroy(&adjacency);
     mesh_destroy(&mesh);
     return ok;
@@ -53,7 +32,7 @@ void casters_draw(const Frame *frame, const Program *program) {
         return;
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
-        const Caster *caster = &casters[object->shape];
+        const Model *caster = &casters[object->shape];
         if (caster->index_count == 0)
             continue;
         program_set_mat4(program, "u_world_from_object", object->world_from_object);

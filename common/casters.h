@@ -6,6 +6,6 @@
 #include "draw.h"
 
 // Draws the closed objects as GL_TRIANGLES_ADJACENCY with the program that draw_begin has made ready; sets
-// u_world_from_object. Vertices have a position only (attribute 0). The meshes are made at the first call and
+// u_world_from_object. The vertices are those of model.h. The meshes are made at the first call and
 // live as long as the context.
 void casters_draw(const Frame *frame, const Program *program);

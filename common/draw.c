@@ -1,41 +1,17 @@
 #include "draw.h"
 
-#include "check.h"
+#include "model.h"
 
-#include <stddef.h>
 #include <stdio.h>
-
-typedef struct Model {
-    GLuint vertex_array, buffers[2];
-    GLsizei index_count;
-} Model;
 
 static Model models[SHAPE_COUNT];
 static GLuint empty_vertex_array;
-
-static void add_attribute(GLuint index, GLint components, size_t offset) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, components, GL_FLOAT, GL_FALSE, sizeof(Vertex), (const void *)offset);
-}
 
 static bool create_model(Model *model, Shape shape) {
     Mesh mesh;
     if (!mesh_create(&mesh, shape))
         return false;
-    glGenVertexArrays(1, &model->vertex_array);
-    glGenBuffers(2, model->buffers);
-    glBindVertexArray(model->vertex_array);
-    glBindBuffer(GL_ARRAY_BUFFER, model->buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, mesh.vertex_count * (GLsizeiptr)sizeof(Vertex), mesh.vertices,
-                 GL_STATIC_DRAW);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, model->buffers[1]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, mesh.index_count * (GLsizeiptr)sizeof(uint32_t), mesh.indices,
-                 GL_STATIC_DRAW);
-    add_attribute(0, 3, offsetof(Vertex, position));
-    add_attribute(1, 3, offsetof(Vertex, normal));
-    add_attribute(2, 2, offsetof(Vertex, uv));
-    glBindVertexArray(0);
-    model->index_count = mesh.index_count;
+    model_create(model, &mesh, mesh.indices, mesh.index_count);
     mesh_destroy(&mesh);
     return true;
 }
@@ -49,11 +25,8 @@ bool draw_create(void) {
 }
 
 void draw_destroy(void) {
-    for (int shape = 0; shape < SHAPE_COUNT; shape++) {
-        glDeleteVertexArrays(1, &models[shape].vertex_array);
-        glDeleteBuffers(2, models[shape].buffers);
-        models[shape] = (Model){0};
-    }
+    for (int shape = 0; shape < SHAPE_COUNT; shape++)
+        model_destroy(&models[shape]);
     glDeleteVertexArrays(1, &empty_vertex_array);
     empty_vertex_array = 0;
 }

@@ -20,6 +20,10 @@ size_t image_bytes(const Image *image) {
     return (size_t)image->width * (size_t)image->height * 4;
 }
 
+size_t image_at(const Image *image, int x, int y) {
+    return 4 * ((size_t)y * (size_t)image->width + (size_t)x);
+}
+
 bool image_copy(Image *copy, const Image *image) {
     INVARIANT(copy != image);
     Image made;

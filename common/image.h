@@ -18,6 +18,9 @@ void image_destroy(Image *image); // accepts a zeroed image
 // Number of bytes of the pixels.
 size_t image_bytes(const Image *image);
 
+// Offset of the pixel in column x of row y in rgba, bytes.
+size_t image_at(const Image *image, int x, int y);
+
 // Same size and content copied. `copy` must be zeroed or an image that may be freed.
 bool image_copy(Image *copy, const Image *image);
 

@@ -23,17 +23,13 @@ static int brightness(const Image *image, size_t at) {
     return image->rgba[at] + image->rgba[at + 1] + image->rgba[at + 2];
 }
 
-static size_t offset_of(const Image *image, int x, int y) {
-    return 4 * ((size_t)y * (size_t)image->width + (size_t)x);
-}
-
 static bool near_edge(const Image *image, int x, int y) {
     int low = 765, high = 0;
     for (int v = y - EDGE; v <= y + EDGE; v++)
         for (int u = x - EDGE; u <= x + EDGE; u++) {
             if (u < 0 || v < 0 || u >= image->width || v >= image->height)
                 continue;
-            int value = brightness(image, offset_of(image, u, v));
+            int value = brightness(image, image_at(image, u, v));
             low = value < low ? value : low;
             high = value > high ? value : high;
         }
@@ -55,7 +51,7 @@ static Tally tally(const Image *yours, const Image *reference) {
     int middle = middle_brightness(reference);
     for (int y = 0; y < yours->height; y++)
         for (int x = 0; x < yours->width; x++) {
-            size_t at = offset_of(yours, x, y);
+            size_t at = image_at(yours, x, y);
             if (score_pixel(yours, reference, at) == 0)
                 continue;
             int change = brightness(yours, at) - brightness(reference, at);
@@ -89,8 +85,8 @@ static double wrong_when_moved(const Image *yours, const Image *reference, int d
     for (int y = abs(dy); y < yours->height - abs(dy); y++)
         for (int x = abs(dx); x < yours->width - abs(dx); x++) {
             int row = flip ? yours->height - 1 - y : y + dy;
-            const uint8_t *a = yours->rgba + offset_of(yours, x + dx, row);
-            const uint8_t *b = reference->rgba + offset_of(reference, x, y);
+            const uint8_t *a = yours->rgba + image_at(yours, x + dx, row);
+            const uint8_t *b = reference->rgba + image_at(reference, x, y);
             wrong += abs(a[0] - b[0]) + abs(a[1] - b[1]) + abs(a[2] - b[2]) > 3 * SCORE_TOLERANCE;
             count++;
         }

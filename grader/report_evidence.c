@@ -33,8 +33,7 @@ static void find_crop(const Image *yours, const Image *reference, int *left, int
             size_t wrong = 0;
             for (int v = y; v < y + CROP; v++)
                 for (int u = x; u < x + CROP; u++)
-                    wrong +=
-                        score_pixel(yours, reference, 4 * ((size_t)v * (size_t)yours->width + (size_t)u)) > 0;
+                    wrong += score_pixel(yours, reference, image_at(yours, u, v)) > 0;
             if (wrong > most) {
                 most = wrong;
                 *left = x;
@@ -55,8 +54,7 @@ static bool make_crop(Image *crop, const Image *const parts[3]) {
             int u = left + x % (CROP * ENLARGED) / ENLARGED, v = top + y / ENLARGED;
             bool inside = u < part->width && v < part->height;
             if (inside)
-                memcpy(crop->rgba + 4 * ((size_t)y * (size_t)crop->width + (size_t)x),
-                       part->rgba + 4 * ((size_t)v * (size_t)part->width + (size_t)u), 4);
+                memcpy(crop->rgba + image_at(crop, x, y), part->rgba + image_at(part, u, v), 4);
         }
     return true;
 }

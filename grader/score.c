@@ -59,7 +59,7 @@ static double window_error(const Pictures *p, int left, int top) {
     int count = 0;
     for (int y = top; y < top + SCORE_WINDOW && y < p->reference->height; y++)
         for (int x = left; x < left + SCORE_WINDOW && x < p->reference->width; x++) {
-            size_t at = 4 * ((size_t)y * (size_t)p->reference->width + (size_t)x);
+            size_t at = image_at(p->reference, x, y);
             if (score_pixel(p->without, p->reference, at) > 0 ||
                 score_pixel(p->skeleton, p->reference, at) > 0)
                 continue;
