@@ -47,7 +47,8 @@ static void name_missing(const Submission *submission, const Rubric *rubric, cha
         snprintf(text, size, "there is a lab.c, but no folder's name tells of which lab: put it into %s/",
                  strrchr(rubric->folder, '/') + 1);
     else
-        snprintf(text, size, "not handed in: there is no folder %s", strrchr(rubric->folder, '/') + 1);
+        snprintf(text, size, "not handed in: there is no folder %s (a link is none)",
+                 strrchr(rubric->folder, '/') + 1);
 }
 
 static bool grade_one(Session *session, const Submission *submission, int i, Report *report) {

@@ -71,7 +71,7 @@ bool submission_open(Submission *submission, const char *folder) {
 
 bool submission_find(const Submission *submission, const char *id, char folder[FILES_PATH]) {
     if (!submission->single)
-        return home_find_lab_in(folder, submission->folder, id);
+        return home_find_lab_in(folder, submission->folder, id) && is_folder(folder);
     memcpy(folder, submission->folder, FILES_PATH);
     return strcmp(submission->single_id, id) == 0;
 }

@@ -1,5 +1,209 @@
 #include "class.h"
+
+#include "check.h"
+#include "gather.h"
+#include "plan.h"
+#include "pool.h"
+#include "progress.h"
+#include "record.h"
+#include "roll.h"
+#include "unpack.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+enum { TRIES = 2 };
+
+typedef struct Class {
+    const Options *options;
+    Roll roll;
+    Plan plan;
+    Session session; // of a process of the pool, once it has graded something
+    bool ready;
+    Progress progress;
+    int not_graded; // of this run
+} Class;
+
+// Grades the folder of one submission, or what its archive holds.
+static bool grade_folder(Class *class, const Entry *entry, Report *report) {
+    char path[FILES_PATH], inside[FILES_PATH];
+    files_join(path, class->roll.folder, entry->name);
+    if (!entry->archive)
+        return session_grade(&class->session, path, report);
+    if (!files_make_temporary(inside))
+        return false;
+    Unpacked unpacked = unpack(path, inside);
+    bool ok = unpacked == UNPACK_OK
+                  ? session_grade(&class->session, inside, report)
+                  : unpacked == UNPACK_REFUSED && session_refuse(&class->session, check_message(), report);
+    files_remove(inside);
+    return ok;
+}
+
+static bool grade_entry(Class *class, const Entry *entry, Report *report) {
+    if (!class->ready)
+        class->ready = plan_session(&class->plan, &class->session);
+    return class->ready && grade_folder(class, entry, report) &&
+           record_write(class->options->output, entry, report);
+}
+
+static void work(Outcome *outcome, void *context) {
+    Class *class = context;
+    Report report = {0};
+    outcome->done = grade_entry(class, &class->roll.entries[outcome->job], &report);
+    outcome->score = result_score(&report);
+    outcome->maximum = result_max_score(&report);
+    snprintf(outcome->reason, sizeof outcome->reason, "%s", outcome->done ? "" : check_message());
+    session_free(&report);
+}
+
+static void finished(const Outcome *outcome, void *context) {
+    Class *class = context;
+    const Entry *entry = &class->roll.entries[outcome->job];
+    char text[POOL_REASON + 32];
+    if (outcome->done) {
+        snprintf(text, sizeof text, "%.2f of %.0f", outcome->score, outcome->maximum);
+    } else {
+        char *reason = escape_name(outcome->reason);
+        snprintf(text, sizeof text, "not graded: %.*s", POOL_REASON, reason);
+        free(reason);
+        class->not_graded++;
+        check_clear();
+        if (!record_write_failure(class->options->output, entry, outcome->reason))
+            fprintf(stderr, "grade: %s\n", check_message());
+    }
+    progress_step(&class->progress, entry->shown, text, !outcome->done);
+}
+
+// Writes the numbers of the entries that are to be graded to `jobs`. False with a message.
+static bool choose(const Class *class, int *jobs, int *count) {
+    const Options *options = class->options;
+    *count = 0;
+    for (int i = 0; i < options->only_count; i++) {
+        jobs[*count] = roll_find(&class->roll, options->only[i]);
+        if (jobs[(*count)++] < 0)
+            return false;
+    }
+    for (int i = 0; !options->only && i < class->roll.count; i++) {
+        json_t *record = record_read(options->output, &class->roll.entries[i]);
+        if (!record_is_graded(record))
+            jobs[(*count)++] = i;
+        json_decref(record);
+    }
+    return true;
+}
+
+static bool prepare_output(const Options *options) {
+    char path[FILES_PATH];
+    static const char *const folders[] = {"results/", "pages/", "work/"};
+    for (int i = 0; i < 3; i++) {
+        files_join(path, options->output, folders[i]);
+        if (!files_make_folder(path))
+            return false;
+    }
+    return true;
+}
+
+// What a killed run left. Only for who is alone in OUT.
+static void sweep(const char *output) {
+    char path[FILES_PATH];
+    files_forget_new(output);
+    files_join(path, output, "results");
+    files_forget_new(path);
+    files_join(path, output, "pages");
+    files_forget_new(path);
+    files_join(path, output, "work");
+    files_remove(path);
+    check_clear();
+}
+
+// Submissions are copied and archives unpacked in OUT/work, where a later run finds what a killed one left.
+static bool use_work_folder(const char *output) {
+    char path[FILES_PATH], absolute[FILES_PATH];
+    files_join(path, output, "work");
+    return (realpath(path, absolute) && setenv("TMPDIR", absolute, 1) == 0) ||
+           check_fail("the folder %s cannot be used", path);
+}
+
+static int processor_count(void) {
+    long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count < 1 ? 1 : count > 256 ? 256 : (int)count;
+}
+
+static bool grade_all(Class *class) {
+    const Options *options = class->options;
+    int *jobs = calloc((size_t)(class->roll.count + options->only_count), sizeof *jobs), count;
+    INVARIANT(jobs);
+    bool ok = choose(class, jobs, &count);
+    if (ok) {
+        int processes = options->jobs ? options->jobs : processor_count();
+        const Pool pool = {.processes = processes < count ? processes : count,
+                           .tries = TRIES,
+                           .seconds = class->plan.lab_count * (3 * class->plan.seconds + 300),
+                           .context = class,
+                           .work = work,
+                           .finished = finished};
+        int total = options->only ? count : class->roll.count;
+        progress_begin(&class->progress, stdout, total, total - count);
+        ok = pool_run(&pool, jobs, count);
+        progress_end(&class->progress);
+    }
+    free(jobs);
+    return ok;
+}
+
+static void print_list(const Roll *roll) {
+    for (int i = 0; i < roll->count; i++)
+        puts(roll->entries[i].file);
+}
+
+static void note_ignored(const Roll *roll) {
+    for (int i = 0; i < roll->ignored_count; i++)
+        fprintf(stderr,
+                "grade: ignored: \"%s\" is neither a folder nor an archive (.zip, .tar.gz), or hidden\n",
+                roll->ignored[i]);
+}
+
+static bool grade_class(Class *class) {
+    const Options *options = class->options;
+    if (!prepare_output(options) || !plan_open(&class->plan, options))
+        return false;
+    if (!options->gather && !options->only)
+        sweep(options->output);
+    if (!options->gather &&
+        !(prepare_output(options) && use_work_folder(options->output) && grade_all(class)))
+        return false;
+    return options->only || gather(options->output, &class->roll, &class->plan, &class->not_graded);
+}
+
+static void say_end(const Class *class) {
+    const char *output = class->options->output;
+    if (!class->options->only)
+        printf("%d submissions, %d not graded: %s/grades.csv, %s/index.html\n", class->roll.count,
+               class->not_graded, output, output);
+    if (class->not_graded > 0)
+        printf("--resume tries again what is not graded\n");
+}
+
 int class_run(const Options *options) {
-    (void)options;
-    return 3;
+    static Class class;
+    class.options = options;
+    class.plan.lock = -1;
+    int status = EXIT_COULD_NOT;
+    bool ok = roll_read(&class.roll, options->class_folder);
+    if (ok && options->list) {
+        print_list(&class.roll);
+        status = EXIT_ALL_PASSED;
+    } else if (ok && grade_class(&class)) {
+        note_ignored(&class.roll);
+        say_end(&class);
+        status = class.not_graded > 0 ? EXIT_COULD_NOT : EXIT_ALL_PASSED;
+    } else {
+        fprintf(stderr, "grade: %s\n", check_message());
+    }
+    plan_close(&class.plan);
+    roll_destroy(&class.roll);
+    return status;
 }
