@@ -21,8 +21,8 @@ typedef struct Examiner {
 // Reads the rubric of the lab "03". False with a message.
 bool examiner_open(Examiner *examiner, const char *id);
 
-// The exam of the options' seed; drawn the first time. Ours until examiner_forget or examiner_close. NULL
-// with a message.
+// The exam of the options' seed; drawn the first time, or read where there are no solutions. Ours until
+// examiner_forget or examiner_close. NULL with a message.
 Exam *examiner_exam(Examiner *examiner, const GradeOptions *options);
 
 // Frees the exam and stops what draws it, but keeps the rubric.

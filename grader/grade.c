@@ -2,6 +2,7 @@
 #include "check.h"
 #include "class/class.h"
 #include "options.h"
+#include "recorded.h"
 #include "report/evidence.h"
 
 #include <signal.h>
@@ -47,6 +48,11 @@ static int grade_submission(const Options *options) {
     return status;
 }
 
+static bool draw_seed(uint64_t *seed) {
+    INVARIANT(getrandom(seed, sizeof *seed, 0) == sizeof *seed);
+    return !recorded_only() || recorded_choose(*seed, seed);
+}
+
 int main(int count, char **arguments) {
     static Options options;
     if (!options_parse(&options, count, arguments)) {
@@ -54,8 +60,10 @@ int main(int count, char **arguments) {
         return EXIT_USAGE;
     }
     signal(SIGPIPE, SIG_IGN);
-    if (!options.seeded)
-        INVARIANT(getrandom(&options.grade.seed, sizeof options.grade.seed, 0) == sizeof options.grade.seed);
+    if (!options.seeded && !draw_seed(&options.grade.seed)) {
+        fprintf(stderr, "grade: %s\n", check_message());
+        return EXIT_COULD_NOT;
+    }
     int status = options.class_folder ? class_run(&options) : grade_submission(&options);
     free(options.only);
     return status;
