@@ -2,6 +2,7 @@
 #include "check.h"
 #include "grade_lab.h"
 #include "home.h"
+#include "jail/jail.h"
 #include "report.h"
 
 #include <ctype.h>
@@ -16,19 +17,23 @@
 
 enum { EXIT_ALL_PASSED, EXIT_NOT_ALL, EXIT_USAGE, EXIT_COULD_NOT };
 
-static const char usage[] = "usage: build/grade [options] SUBMISSION\n"
-                            "  SUBMISSION        a folder shaped like labs/, or the folder of one lab\n"
-                            "  --lab NN          only this lab; may be repeated\n"
-                            "  --seed N          the variants of an earlier run (default: drawn anew)\n"
-                            "  --context C       osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
-                            "  --format F        text (default) or json\n"
-                            "  --output DIR      pictures of what failed: yours, reference, difference\n"
-                            "  --timeout S       seconds that a submission may run per lab (default 20)\n"
-                            "exit status: 0 all passed, 1 not all passed, 2 usage, 3 could not grade\n";
+static const char usage[] =
+    "usage: build/grade [options] SUBMISSION\n"
+    "  SUBMISSION        a folder shaped like labs/, or the folder of one lab\n"
+    "  --lab NN          only this lab; may be repeated\n"
+    "  --seed N          the variants of an earlier run (default: drawn anew)\n"
+    "  --context C       osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
+    "  --format F        text (default) or json\n"
+    "  --output DIR      pictures of what failed: yours, reference, difference\n"
+    "  --timeout S       seconds that a submission may run per lab (default 20)\n"
+    "  --jail ROUTE      bwrap or landlock: only this jail (default: the first that holds)\n"
+    "  --trusted         no jail: the submission is my own work\n"
+    "exit status: 0 all passed, 1 not all passed, 2 usage, 3 could not grade\n";
 
 typedef struct Options {
     GradeOptions grade;
-    bool json, seeded;
+    bool json, seeded, trusted;
+    JailRoute route; // the only one to take; JAIL_NONE: any
     const char *labs[RESULT_MAX_LABS];
     int lab_count;
     const char *submission;
@@ -81,6 +86,10 @@ static bool parse_option(Options *options, int option, const char *value) {
     case 'o':
         options->grade.output = value;
         return true;
+    case 'j':
+        return jail_parse_route(&options->route, value);
+    case 'T':
+        return options->trusted = true;
     case 't':
         return parse_timeout(options, value);
     default:
@@ -93,6 +102,7 @@ static bool parse(Options *options, int count, char **arguments) {
         {"lab", required_argument, NULL, 'l'},     {"seed", required_argument, NULL, 's'},
         {"context", required_argument, NULL, 'c'}, {"format", required_argument, NULL, 'f'},
         {"output", required_argument, NULL, 'o'},  {"timeout", required_argument, NULL, 't'},
+        {"jail", required_argument, NULL, 'j'},    {"trusted", no_argument, NULL, 'T'},
         {"help", no_argument, NULL, 'h'},          {0}};
     const char *context = getenv("SHADOW_LAB_CONTEXT");
     *options = (Options){.grade = {.seconds = 20}};
@@ -108,6 +118,8 @@ static bool parse(Options *options, int count, char **arguments) {
             return false;
     }
     struct stat info;
+    if (options->trusted && options->route != JAIL_NONE)
+        return check_fail("--trusted and --jail exclude each other");
     if (optind != count - 1)
         return check_fail("give one SUBMISSION");
     options->submission = arguments[optind];
@@ -171,6 +183,28 @@ static bool grade_all(Run *run) {
     return !run->failed;
 }
 
+// Decides where submissions are compiled and run, and says so unless it is the first choice.
+static bool open_jail(Options *options, Jail *jail) {
+    if (options->trusted) {
+        fputs("grade: --trusted: the submission is compiled and run outside the jail\n", stderr);
+        return true;
+    }
+    if (!jail_create(jail, options->route)) {
+        fputs("grade: nothing was graded: where no jail holds, strangers' code could read the solutions or "
+              "harm this "
+              "machine.\n  As a teacher: install bubblewrap, or grade in a virtual machine. Grading your own "
+              "work: add "
+              "--trusted (make grade ARGS=--trusted)\n",
+              stderr);
+        return false;
+    }
+    if (jail->route != JAIL_BWRAP)
+        fprintf(stderr, "grade: the fallback jail is in use: %s%s%s\n", jail_route_name(jail->route),
+                jail->why[0] ? ", for " : "", jail->why);
+    options->grade.jail = jail;
+    return true;
+}
+
 static int finish(Run *run) {
     bool passed = run->report.lab_count > 0;
     for (int i = 0; i < run->report.lab_count; i++)
@@ -196,11 +230,14 @@ int main(int count, char **arguments) {
     run.report = (Report){.seed = options.grade.seed,
                           .context = context_name(options.grade.context),
                           .labs = calloc(RESULT_MAX_LABS, sizeof *run.report.labs)};
+    static Jail jail;
     run.single = single_lab(options.submission, run.single_id);
     if (run.single && options.lab_count > 0)
         snprintf(run.single_id, sizeof run.single_id, "%s", options.labs[0]);
     double start = process_now();
-    bool graded = run.report.labs && grade_all(&run);
+    bool graded = run.report.labs && open_jail(&options, &jail);
+    run.report.jail = jail_route_name(jail.route);
+    graded = graded && grade_all(&run);
     run.report.seconds = process_now() - start;
     int status = EXIT_COULD_NOT;
     if (graded)
@@ -212,5 +249,6 @@ int main(int count, char **arguments) {
         rubric_destroy(&run.rubrics[i]);
     }
     free(run.report.labs);
+    jail_destroy(&jail);
     return status;
 }

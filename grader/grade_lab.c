@@ -165,7 +165,7 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     check_clear();
     Ignored ignored = {rubric, result, 0};
     bool ok = files_list(submission, note_ignored, &ignored) &&
-              derive_submission(student->folder, rubric, submission, log);
+              derive_submission(student->folder, rubric, submission, student->jail, log);
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
         fail_lab(result, LAB_ERROR, text);
@@ -199,7 +199,10 @@ bool grade_lab(LabResult *result, const Rubric *rubric, const char *submission, 
                char renderer[128]) {
     static Client student;
     Roster roster = {.rubric = rubric, .context = options->context};
-    student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
+    student = (Client){.trust = TRUST_NOBODY,
+                       .jail = options->jail,
+                       .context = options->context,
+                       .seconds = options->seconds};
     grade_begin(result, rubric);
     if (!files_make_temporary(student.folder))
         return false;

@@ -11,6 +11,7 @@ typedef struct GradeOptions {
     double seconds;     // that a submission may run, per lab
     const char *output; // folder for pictures of what failed, NULL for none
     uint64_t seed;
+    const Jail *jail; // NULL: the submission is the user's own, outside
 } GradeOptions;
 
 // An empty result with the checks of the rubric.
