@@ -21,6 +21,12 @@ GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
 ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion test_truth_lab)
+# The jail: the keeper's side belongs to the grader; the programs of inside/ stand alone. The shim is static where the
+# system has the archives, so that a process inside begins sooner.
+JAIL := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/*.c))
+INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
+STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-static)
+GRADER += $(JAIL)
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -28,7 +34,7 @@ NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_e
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 
-build: $(BUILD)/worker $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+build: $(BUILD)/worker $(INSIDE) $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
@@ -90,6 +96,14 @@ $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
 $(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
+inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
+$(INSIDE): SANITIZE :=
+$(BUILD)/jail_shim: $(call inside,shim)
+	$(CC) $(STATIC) -o $@ $^ -lseccomp
+$(BUILD)/jail_probe: $(call inside,probe) $(call inside,attack)
+	$(CC) -o $@ $^ -lpthread -lrt
+$(BUILD)/jail_unpack: $(call inside,unpack)
+	$(CC) -o $@ $^ -larchive
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o $(GRADER) $(NO_GL)

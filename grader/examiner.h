@@ -9,7 +9,8 @@ typedef struct GradeOptions {
     ContextKind context;
     double seconds; // that a submission may run, per lab
     uint64_t seed;
-    bool evidence; // keep pictures of what failed in the result
+    const Jail *jail; // NULL: their author grades them, outside
+    bool evidence;    // keep pictures of what failed in the result
 } GradeOptions;
 
 typedef struct Examiner {

@@ -1,6 +1,7 @@
 // The grader: see options.h for its command line and README.md for what it does.
 #include "check.h"
 #include "class/class.h"
+#include "open_jail.h"
 #include "options.h"
 #include "recorded.h"
 #include "report/evidence.h"
@@ -32,19 +33,22 @@ static bool all_passed(const Report *report) {
     return passed;
 }
 
-static int grade_submission(const Options *options) {
+static int grade_submission(Options *options) {
     static Session session;
+    static Jail jail;
     Report report = {0};
+    bool ok = open_jail(options, &jail);
     session.options = options->grade;
     session.options.evidence = options->output || options->format == REPORT_HTML;
     int status = EXIT_COULD_NOT;
-    if (add_labs(&session, options) && session_grade(&session, options->submission, &report) &&
+    if (ok && add_labs(&session, options) && session_grade(&session, options->submission, &report) &&
         write_evidence(&report, options->output) && report_print(&report, options->format, stdout))
         status = all_passed(&report) ? EXIT_ALL_PASSED : EXIT_NOT_ALL;
     else
         fprintf(stderr, "grade: could not grade: %s\n", check_message());
     session_free(&report);
     session_close(&session);
+    jail_destroy(&jail);
     return status;
 }
 

@@ -169,7 +169,7 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     check_clear();
     Ignored ignored = {rubric, result, 0};
     bool ok = files_list(submission, note_ignored, &ignored) &&
-              derive_submission(student->folder, rubric, submission, log);
+              derive_submission(student->folder, rubric, submission, student->jail, log);
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
         fail_lab(result, LAB_ERROR, text);
@@ -192,7 +192,10 @@ static bool examine(LabResult *result, Examiner *examiner, Client *student, cons
 
 bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options) {
     static Client student;
-    student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
+    student = (Client){.trust = TRUST_NOBODY,
+                       .jail = options->jail,
+                       .context = options->context,
+                       .seconds = options->seconds};
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;

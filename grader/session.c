@@ -36,7 +36,9 @@ bool session_add(Session *session, const char *id) {
 }
 
 static bool begin_report(Session *session, Report *report) {
+    const Jail *jail = session->options.jail;
     *report = (Report){.seed = session->options.seed,
+                       .jail = jail_route_name(jail ? jail->route : JAIL_NONE),
                        .context = context_name(session->options.context),
                        .labs = calloc(RESULT_MAX_LABS, sizeof *report->labs)};
     return report->labs || check_fail("out of memory");

@@ -2,12 +2,15 @@
 
 #include "check.h"
 #include "gather.h"
+#include "jail/self_test.h"
+#include "open_jail.h"
 #include "plan.h"
 #include "pool.h"
 #include "progress.h"
 #include "record.h"
 #include "roll.h"
 #include "unpack.h"
+#include "workplace.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -17,7 +20,8 @@
 enum { TRIES = 2 };
 
 typedef struct Class {
-    const Options *options;
+    Options *options;
+    Jail jail;
     Roll roll;
     Plan plan;
     Session session; // of a process of the pool, once it has graded something
@@ -34,7 +38,7 @@ static bool grade_folder(Class *class, const Entry *entry, Report *report) {
         return session_grade(&class->session, path, report);
     if (!files_make_temporary(inside))
         return false;
-    Unpacked unpacked = unpack(path, inside);
+    Unpacked unpacked = unpack(&class->jail, path, inside);
     bool ok = unpacked == UNPACK_OK
                   ? session_grade(&class->session, inside, report)
                   : unpacked == UNPACK_REFUSED && session_refuse(&class->session, check_message(), report);
@@ -42,10 +46,19 @@ static bool grade_folder(Class *class, const Entry *entry, Report *report) {
     return ok;
 }
 
+// A submission that could not be drawn is to blame only if the jail still holds whoever is in it.
+static bool is_to_blame(const Class *class, const Report *report) {
+    bool broken = false;
+    for (int i = 0; i < report->lab_count; i++)
+        broken = broken || report->labs[i].message[0];
+    check_clear();
+    return !broken || self_test(&class->jail);
+}
+
 static bool grade_entry(Class *class, const Entry *entry, Report *report) {
     if (!class->ready)
-        class->ready = plan_session(&class->plan, &class->session);
-    return class->ready && grade_folder(class, entry, report) &&
+        class->ready = plan_session(&class->plan, &class->jail, &class->session);
+    return class->ready && grade_folder(class, entry, report) && is_to_blame(class, report) &&
            record_write(class->options->output, entry, report);
 }
 
@@ -95,36 +108,13 @@ static bool choose(const Class *class, int *jobs, int *count) {
     return true;
 }
 
-static bool prepare_output(const Options *options) {
+static bool make_folders(const char *output) {
     char path[FILES_PATH];
-    static const char *const folders[] = {"results/", "pages/", "work/"};
-    for (int i = 0; i < 3; i++) {
-        files_join(path, options->output, folders[i]);
-        if (!files_make_folder(path))
-            return false;
-    }
-    return true;
-}
-
-// What a killed run left. Only for who is alone in OUT.
-static void sweep(const char *output) {
-    char path[FILES_PATH];
-    files_forget_new(output);
-    files_join(path, output, "results");
-    files_forget_new(path);
-    files_join(path, output, "pages");
-    files_forget_new(path);
-    files_join(path, output, "work");
-    files_remove(path);
-    check_clear();
-}
-
-// Submissions are copied and archives unpacked in OUT/work, where a later run finds what a killed one left.
-static bool use_work_folder(const char *output) {
-    char path[FILES_PATH], absolute[FILES_PATH];
-    files_join(path, output, "work");
-    return (realpath(path, absolute) && setenv("TMPDIR", absolute, 1) == 0) ||
-           check_fail("the folder %s cannot be used", path);
+    files_join(path, output, "results/");
+    if (!files_make_folder(path))
+        return false;
+    files_join(path, output, "pages/");
+    return files_make_folder(path);
 }
 
 static int processor_count(void) {
@@ -166,16 +156,28 @@ static void note_ignored(const Roll *roll) {
                 roll->ignored[i]);
 }
 
+static bool grade_in_jail(Class *class) {
+    bool ok = open_jail(class->options, &class->jail) && grade_all(class);
+    jail_destroy(&class->jail);
+    return ok;
+}
+
+// The whole class: alone in OUT, with a workplace.
+static bool grade_rest(Class *class) {
+    const char *output = class->options->output;
+    bool ok = workplace_create(output) && grade_in_jail(class);
+    workplace_destroy(output);
+    return ok;
+}
+
 static bool grade_class(Class *class) {
     const Options *options = class->options;
-    if (!prepare_output(options) || !plan_open(&class->plan, options))
+    if (!make_folders(options->output) || !plan_open(&class->plan, options))
         return false;
-    if (!options->gather && !options->only)
-        sweep(options->output);
-    if (!options->gather &&
-        !(prepare_output(options) && use_work_folder(options->output) && grade_all(class)))
-        return false;
-    return options->only || gather(options->output, &class->roll, &class->plan, &class->not_graded);
+    if (options->only)
+        return grade_in_jail(class);
+    return (options->gather || grade_rest(class)) &&
+           gather(options->output, &class->roll, &class->plan, &class->not_graded);
 }
 
 static void say_end(const Class *class) {
@@ -187,7 +189,7 @@ static void say_end(const Class *class) {
         printf("--resume tries again what is not graded\n");
 }
 
-int class_run(const Options *options) {
+int class_run(Options *options) {
     static Class class;
     class.options = options;
     class.plan.lock = -1;

@@ -119,9 +119,14 @@ void plan_close(Plan *plan) {
     plan->lock = -1;
 }
 
-bool plan_session(const Plan *plan, Session *session) {
-    *session = (Session){
-        .options = {plan->context, plan->seconds, plan->seed, true}, .keep = true, .complete = true};
+bool plan_session(const Plan *plan, const Jail *jail, Session *session) {
+    *session = (Session){.options = {.context = plan->context,
+                                     .seconds = plan->seconds,
+                                     .seed = plan->seed,
+                                     .jail = jail,
+                                     .evidence = true},
+                         .keep = true,
+                         .complete = true};
     for (int i = 0; i < plan->lab_count; i++)
         if (!session_add(session, plan->labs[i]))
             return false;

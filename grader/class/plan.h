@@ -21,5 +21,5 @@ typedef struct Plan {
 bool plan_open(Plan *plan, const Options *options);
 void plan_close(Plan *plan);
 
-// Makes a session of the plan's labs. False with a message.
-bool plan_session(const Plan *plan, Session *session);
+// Makes a session of the plan's labs, in this jail. False with a message.
+bool plan_session(const Plan *plan, const Jail *jail, Session *session);
