@@ -127,14 +127,14 @@ static bool parse(Options *options, int count, char **arguments) {
            check_fail("%s is not a folder", options->submission);
 }
 
-// Is this the folder of one lab, by its name (03-...) or because it holds a lab.c?
-static bool single_lab(const char *submission, char id[3]) {
-    char path[FILES_PATH];
-    files_join(path, submission, "lab.c");
-    if (!files_exists(path))
+// Is this the folder of one lab, by its name (03-...) or because it holds a lab.c? Then `whole` gets its path
+// without links: the path is the caller's, what lies in the folder is the stranger's.
+static bool single_lab(const char *submission, char whole[FILES_PATH], char id[3]) {
+    files_join(whole, submission, "lab.c");
+    if (!files_exists(whole))
         return false;
-    INVARIANT(realpath(submission, path));
-    const char *name = strrchr(path, '/') + 1;
+    INVARIANT(realpath(submission, whole));
+    const char *name = strrchr(whole, '/') + 1;
     snprintf(id, 3, "%.2s", name);
     return true;
 }
@@ -145,12 +145,13 @@ typedef struct Run {
     Rubric rubrics[RESULT_MAX_LABS]; // of the report's labs
     bool single;                     // the submission is one lab's folder
     char single_id[3];               // its number
-    bool failed;                     // a fault of ours
+    char single_folder[FILES_PATH];
+    bool failed; // a fault of ours
 } Run;
 
 static bool find_submission(const Run *run, const char *id, char folder[FILES_PATH]) {
     if (run->single) {
-        snprintf(folder, FILES_PATH, "%s", run->options->submission);
+        snprintf(folder, FILES_PATH, "%s", run->single_folder);
         return true;
     }
     return home_find_lab_in(folder, run->options->submission, id);
@@ -183,24 +184,15 @@ static bool grade_all(Run *run) {
     return !run->failed;
 }
 
-// Decides where submissions are compiled and run, and says so unless it is the first choice.
 static bool open_jail(Options *options, Jail *jail) {
     if (options->trusted) {
         fputs("grade: --trusted: the submission is compiled and run outside the jail\n", stderr);
         return true;
     }
-    if (!jail_create(jail, options->route)) {
-        fputs("grade: nothing was graded: where no jail holds, strangers' code could read the solutions or "
-              "harm this "
-              "machine.\n  As a teacher: install bubblewrap, or grade in a virtual machine. Grading your own "
-              "work: add "
-              "--trusted (make grade ARGS=--trusted)\n",
-              stderr);
+    if (!jail_create(jail, options->route))
         return false;
-    }
-    if (jail->route != JAIL_BWRAP)
-        fprintf(stderr, "grade: the fallback jail is in use: %s%s%s\n", jail_route_name(jail->route),
-                jail->why[0] ? ", for " : "", jail->why);
+    if (jail->notice[0])
+        fprintf(stderr, "grade: %s\n", jail->notice);
     options->grade.jail = jail;
     return true;
 }
@@ -231,7 +223,7 @@ int main(int count, char **arguments) {
                           .context = context_name(options.grade.context),
                           .labs = calloc(RESULT_MAX_LABS, sizeof *run.report.labs)};
     static Jail jail;
-    run.single = single_lab(options.submission, run.single_id);
+    run.single = single_lab(options.submission, run.single_folder, run.single_id);
     if (run.single && options.lab_count > 0)
         snprintf(run.single_id, sizeof run.single_id, "%s", options.labs[0]);
     double start = process_now();
