@@ -74,6 +74,14 @@ static DrawResult explain_end(const Client *client, char *text, size_t size) {
     return DRAW_LOST;
 }
 
+// All of it is the submission's to write.
+static void clean_reply(Reply *reply) {
+    reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
+    for (int i = 0; i < LAB_MAX_PASSES; i++)
+        if (!(reply->milliseconds[i] >= 0 && reply->milliseconds[i] < 1e9f))
+            reply->milliseconds[i] = 0;
+}
+
 DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply) {
     memset(reply, 0, sizeof *reply);
     if (image->width != request->width || image->height != request->height) {
@@ -84,7 +92,7 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
     bool ok = (client->started || client_start(client)) &&
               process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
               process_exchange(process, NULL, 0, image->rgba, image_bytes(image));
-    reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
+    clean_reply(reply);
     DrawResult result = reply->drawn ? DRAW_OK : DRAW_FAILED;
     if (ok && reply->magic != PROTOCOL_MAGIC) {
         snprintf(reply->message, sizeof reply->message,

@@ -47,18 +47,32 @@ char *files_read(const char *path, size_t limit) {
     return text;
 }
 
+static int open_folder(const char *folder) {
+    struct stat info;
+    int at = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
+    if (at < 0) {
+        int reason = errno;
+        bool link = lstat(folder, &info) == 0 && S_ISLNK(info.st_mode);
+        check_fail(link ? "%s is a symbolic link: hand in the folder itself" : "folder %s cannot be read: %s",
+                   folder, strerror(reason));
+    }
+    return at;
+}
+
+bool files_is_folder(const char *path) {
+    int at = open_folder(path);
+    if (at >= 0)
+        close(at);
+    return at >= 0;
+}
+
 static int open_strange(const char *folder, const char *name) {
     struct open_how how = {.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW,
                            .resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS | RESOLVE_NO_MAGICLINKS |
                                       RESOLVE_NO_XDEV};
-    struct stat info;
-    int at = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-    if (at < 0) {
-        bool link = lstat(folder, &info) == 0 && S_ISLNK(info.st_mode);
-        check_fail(link ? "%s is a symbolic link: hand in the folder itself" : "%s cannot be opened: %s",
-                   folder, strerror(errno));
+    int at = open_folder(folder);
+    if (at < 0)
         return -1;
-    }
     int descriptor = (int)syscall(SYS_openat2, at, name, &how, sizeof how);
     if (descriptor < 0)
         check_fail(errno == ELOOP ? "%s is a symbolic link: hand in the file itself"

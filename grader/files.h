@@ -13,6 +13,9 @@ char *files_read(const char *path, size_t limit);
 // by a link or a mount, and without another name (a hard link). The folder may not be a link either.
 char *files_read_strange(const char *folder, const char *name, size_t limit);
 
+// Is it a folder, and not a link to one? False with a message.
+bool files_is_folder(const char *path);
+
 // Copies such a file, which may hold any bytes, to `path`, which must not exist. False with a message.
 bool files_take(const char *folder, const char *name, const char *path, size_t limit);
 

@@ -168,7 +168,7 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
     Ignored ignored = {rubric, result, 0};
-    bool ok = files_list(submission, note_ignored, &ignored) &&
+    bool ok = files_is_folder(submission) && files_list(submission, note_ignored, &ignored) &&
               derive_submission(student->folder, rubric, submission, student->jail, log);
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);

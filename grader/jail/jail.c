@@ -29,6 +29,7 @@ bool jail_parse_route(JailRoute *route, const char *name) {
 }
 
 bool jail_create(Jail *jail, JailRoute only) {
+    char why[900] = "";
     *jail = (Jail){.user = geteuid() == 0 ? JAIL_USER : 0};
     if (!stage_create(jail->stage))
         return false;
@@ -36,14 +37,22 @@ bool jail_create(Jail *jail, JailRoute only) {
         if (only != JAIL_NONE && only != jail->route)
             continue;
         check_clear();
-        if (self_test(jail))
+        if (self_test(jail)) {
+            if (jail->route != JAIL_BWRAP)
+                snprintf(jail->notice, sizeof jail->notice, "the fallback jail is in use: %s%s%s",
+                         jail_route_name(jail->route), why[0] ? ", for " : "", why);
             return true;
-        check_append(jail->why, sizeof jail->why, "%s%s: %.400s", jail->why[0] ? "; " : "",
-                     jail_route_name(jail->route), check_message());
+        }
+        check_append(why, sizeof why, "%s%s: %.400s", why[0] ? "; " : "", jail_route_name(jail->route),
+                     check_message());
     }
-    stage_destroy(jail->stage);
+    jail_destroy(jail);
     check_clear();
-    return check_fail("no jail holds on this machine (%s)", jail->why);
+    return check_fail(
+        "no jail holds on this machine (%s). Strangers' code could read the solutions or harm it: "
+        "install bubblewrap, or grade in a virtual machine. If the submission is your own work, add "
+        "--trusted (make grade ARGS=--trusted)",
+        why);
 }
 
 void jail_destroy(Jail *jail) {
@@ -63,8 +72,8 @@ static unsigned lent_to;
 static int lend_entry(const char *path, const struct stat *info, int type, struct FTW *position) {
     (void)type, (void)position;
     bool folder = S_ISDIR(info->st_mode);
-    return S_ISLNK(info->st_mode) ||
-                   (lchown(path, (uid_t)-1, lent_to) == 0 && chmod(path, folder ? 0750 : 0640) == 0)
+    return S_ISLNK(info->st_mode) || (lchown(path, (uid_t)-1, lent_to) == 0 &&
+                                      chmod(path, folder || info->st_mode & S_IXUSR ? 0750 : 0640) == 0)
                ? 0
                : -1;
 }

@@ -17,7 +17,7 @@ typedef struct Jail {
     JailRoute route;
     unsigned user;          // uid and gid inside when the grader is root; 0: as the grader
     char stage[FILES_PATH]; // a private folder with copies of our parts that those inside may read
-    char why[1024];         // why the routes before this one do not hold; "" for the first
+    char notice[1024];      // to be shown to the user; "" where the jail is the best one
 } Jail;
 
 typedef enum JailKind {
@@ -41,7 +41,7 @@ bool jail_parse_route(JailRoute *route, const char *name);
 
 // Finds the first route that holds on this machine, by attacking it from inside (self_test.h); with `only`
 // other than JAIL_NONE no other route is tried. False with a message when none holds: then nothing may be
-// graded.
+// graded but what its own author grades outside.
 bool jail_create(Jail *jail, JailRoute only);
 
 void jail_destroy(Jail *jail); // accepts a zeroed jail
