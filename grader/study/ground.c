@@ -86,6 +86,17 @@ void setting_knob(Setting *setting, const char *name, float value) {
     knob->value = value;
 }
 
+static bool draw(const Ground *ground, Artist *artist, const Request *request, Measured *measured) {
+    static Reply reply;
+    Image image = {0};
+    bool ok = artist_draw(artist, request, &image, &reply);
+    for (size_t i = 0; ok && i < pixels(ground); i++)
+        measured->visibility[i] = image.rgba[4 * i + 3] ? (float)image.rgba[4 * i] / 255 : NAN;
+    image_destroy(&image);
+    memcpy(measured->milliseconds, reply.milliseconds, sizeof measured->milliseconds);
+    return ok;
+}
+
 static void compare(const Ground *ground, const Setting *setting, Measured *measured) {
     const MetricsPixels given = {ground->drawn, ground->traced, ground->facing, measured->visibility};
     metrics_mask(ground->size, &given, measured->mask);
@@ -98,20 +109,14 @@ static void compare(const Ground *ground, const Setting *setting, Measured *meas
 
 bool ground_measure(const Ground *ground, Artist *artist, const Setting *setting, bool fresh,
                     Measured *measured) {
-    static Reply reply;
-    Image image = {0};
     Request request = ground_request(ground, setting);
     request.fresh = fresh;
     *measured = (Measured){.visibility = calloc(pixels(ground), sizeof *measured->visibility),
                            .mask = calloc(pixels(ground), 1)};
-    bool ok = (measured->visibility && measured->mask) || check_fail("out of memory for a frame");
-    ok = ok && artist_draw(artist, &request, &image, &reply);
-    for (size_t i = 0; ok && i < pixels(ground); i++)
-        measured->visibility[i] = image.rgba[4 * i + 3] ? (float)image.rgba[4 * i] / 255 : NAN;
-    image_destroy(&image);
-    if (!ok)
+    if (!measured->visibility || !measured->mask)
+        return check_fail("out of memory for a frame");
+    if (!draw(ground, artist, &request, measured))
         return false;
-    memcpy(measured->milliseconds, reply.milliseconds, sizeof measured->milliseconds);
     compare(ground, setting, measured);
     return true;
 }
