@@ -176,38 +176,44 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     return ok;
 }
 
-static bool examine(LabResult *result, const Rubric *rubric, Client *student, const GradeOptions *options,
-                    Roster *roster, char renderer[128]) {
-    Exam *exam = calloc(1, sizeof *exam);
-    if (!exam)
-        return check_fail("out of memory");
+static bool examine(LabResult *result, Exam *exam, Roster *roster, Client *student,
+                    const GradeOptions *options) {
     client_start(student);
-    bool ok = exam_create(exam, rubric, roster, options->seed);
-    if (ok) {
-        memcpy(renderer, exam->renderer, sizeof exam->renderer);
-        client_begin(student);
-        grade_frames(result, exam, student, roster);
-        ok = diagnose(result, exam, roster) &&
-             (!options->output || report_evidence(result, exam, options->output));
-        exam_destroy(exam);
+    if (!exam->rubric && !exam_create(exam, roster->rubric, roster, options->seed)) {
+        exam->rubric = NULL;
+        return false;
     }
-    free(exam);
+    client_begin(student);
+    grade_frames(result, exam, student, roster);
+    return diagnose(result, exam, roster) &&
+           (!options->output || report_evidence(result, exam, options->output));
+}
+
+bool grade_by_exam(LabResult *result, Exam *exam, Roster *roster, const char *submission,
+                   const GradeOptions *options) {
+    static Client student;
+    student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
+    grade_begin(result, roster->rubric);
+    if (!files_make_temporary(student.folder))
+        return false;
+    bool ok = true;
+    if (take_submission(result, &student, roster->rubric, submission))
+        ok = examine(result, exam, roster, &student, options);
+    client_stop(&student);
+    files_remove(student.folder);
     return ok;
 }
 
 bool grade_lab(LabResult *result, const Rubric *rubric, const char *submission, const GradeOptions *options,
                char renderer[128]) {
-    static Client student;
     Roster roster = {.rubric = rubric, .context = options->context};
-    student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
-    grade_begin(result, rubric);
-    if (!files_make_temporary(student.folder))
-        return false;
-    bool ok = true;
-    if (take_submission(result, &student, rubric, submission))
-        ok = examine(result, rubric, &student, options, &roster, renderer);
-    client_stop(&student);
+    Exam *exam = calloc(1, sizeof *exam);
+    bool ok = exam ? grade_by_exam(result, exam, &roster, submission, options) : check_fail("out of memory");
+    if (exam && exam->rubric) {
+        memcpy(renderer, exam->renderer, sizeof exam->renderer);
+        exam_destroy(exam);
+    }
+    free(exam);
     roster_destroy(&roster);
-    files_remove(student.folder);
     return ok;
 }

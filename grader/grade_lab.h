@@ -26,3 +26,8 @@ void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *
 // (could not grade).
 bool grade_lab(LabResult *result, const Rubric *rubric, const char *submission, const GradeOptions *options,
                char renderer[128]);
+
+// The same with an exam and a roster of the caller's, so that a lab is graded again without drawing anew what
+// ours draw. A zeroed exam is drawn first, from options->seed; later gradings keep its variants.
+bool grade_by_exam(LabResult *result, Exam *exam, Roster *roster, const char *submission,
+                   const GradeOptions *options);
