@@ -104,6 +104,8 @@ static void name_kind(CheckResult *check, const Variant *variant, Roster *roster
     else
         error_kind(text, sizeof text, &check->yours[check->worst], &variant->reference);
     name_cause(check, text, rubric_hint(roster->rubric, task ? task : check->check->task, 0));
+    check->undone = task != NULL;
+    check->cause_task = task;
 }
 
 static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam,
@@ -117,8 +119,10 @@ static void explain(CheckResult *check, const Distances *distances, int common, 
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task,
                  alone ? "" : " or one before it");
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
+        check->undone = true;
     } else if (own >= 0 && (common >= 0 || !error_kind_is_plain(&check->yours[check->worst]))) {
         name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
+        check->cause_task = rubric->mistakes[own].task;
     } else {
         name_kind(check, &exam->variants[check->check - rubric->checks][check->worst], roster);
     }
