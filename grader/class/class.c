@@ -6,7 +6,7 @@
 #include "open_jail.h"
 #include "plan.h"
 #include "pool.h"
-#include "progress.h"
+#include "ticker.h"
 #include "record.h"
 #include "roll.h"
 #include "unpack.h"
@@ -26,7 +26,7 @@ typedef struct Class {
     Plan plan;
     Session session; // of a process of the pool, once it has graded something
     bool ready;
-    Progress progress;
+    Ticker ticker;
     int not_graded; // of this run
 } Class;
 
@@ -87,7 +87,7 @@ static void finished(const Outcome *outcome, void *context) {
         if (!record_write_failure(class->options->output, entry, outcome->reason))
             fprintf(stderr, "grade: %s\n", check_message());
     }
-    progress_step(&class->progress, entry->shown, text, !outcome->done);
+    ticker_step(&class->ticker, entry->shown, text, !outcome->done);
 }
 
 // Writes the numbers of the entries that are to be graded to `jobs`. False with a message.
@@ -136,9 +136,9 @@ static bool grade_all(Class *class) {
                            .work = work,
                            .finished = finished};
         int total = options->only ? count : class->roll.count;
-        progress_begin(&class->progress, stdout, total, total - count);
+        ticker_begin(&class->ticker, stdout, total, total - count);
         ok = pool_run(&pool, jobs, count);
-        progress_end(&class->progress);
+        ticker_end(&class->ticker);
     }
     free(jobs);
     return ok;

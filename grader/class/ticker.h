@@ -4,16 +4,16 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-typedef struct Progress {
+typedef struct Ticker {
     FILE *out;
     bool bar;
     int total, finished, failed; // submissions; those finished earlier count, too
     int earlier;                 // finished before this run
     double start;
-} Progress;
+} Ticker;
 
-void progress_begin(Progress *progress, FILE *out, int total, int earlier);
+void ticker_begin(Ticker *ticker, FILE *out, int total, int earlier);
 
 // One more is finished. `name` is as escape_name gives it, `result` what is said about it.
-void progress_step(Progress *progress, const char *name, const char *result, bool failed);
-void progress_end(const Progress *progress);
+void ticker_step(Ticker *ticker, const char *name, const char *result, bool failed);
+void ticker_end(const Ticker *ticker);
