@@ -6,6 +6,7 @@ BUILD ?= build
 CFLAGS ?= -O2 -g
 SANITIZE ?=
 LAB ?=
+override LAB := $(if $(filter 1 2 3 4 5 6 7 8 9,$(LAB)),0)$(LAB)
 SUBMISSION ?= labs
 ARGS ?=
 
@@ -34,13 +35,19 @@ WATCH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/watch/*.c))
 build: $(BUILD)/worker $(BUILD)/watch $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
-	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
+	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(if $(filter labs,$(SUBMISSION)),--record) $(ARGS) $(SUBMISSION)
+
+watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress: make watch [LAB=03]
+	@$(BUILD)/watch $(if $(LAB),--lab $(LAB)) $(ARGS)
+
+progress: $(BUILD)/watch ## how far am I in all labs?
+	@$(BUILD)/watch --list
 
 demo: build ## grade the labs as shipped, then the solutions
 	$(BUILD)/grade labs || true
 	$(BUILD)/grade solutions
 
-hint: build ## show the hints of a task: make hint TASK=3.2
+hint: ## show the hints of a task: make hint TASK=3.2
 	@grader/hint $(TASK)
 
 skeletons: build ## make labs/ from solutions/
@@ -68,7 +75,7 @@ bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and t
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
-reset: ## put a lab of labs/ back to the skeleton: make reset LAB=03
+reset: $(BUILD)/skeletons ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@grader/reset $(LAB)
 
 clean: ## remove what was built
@@ -101,6 +108,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: sanitize build grade demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: sanitize build grade watch progress demo hint skeletons pictures table test check bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -96,6 +96,56 @@ static const char *next_task(const CheckResult *check, const Variant *variant, R
     return found;
 }
 
+// Does the lab, solved up to this task, draw just what the student's draws, in every check?
+static bool is_solved_to(const char *task, const LabResult *result, const Exam *exam, Roster *roster) {
+    static Reply reply;
+    Image theirs = {0};
+    const Painter *painter = roster_get(roster, (Solved){SOLVED_UP_TO, task}, NULL);
+    bool same = painter != NULL;
+    for (int c = 0; same && c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        same = roster_draw(roster, painter, &exam->variants[c][check->worst].request, &theirs, &reply) &&
+               score_rmse(&check->yours[check->worst], &theirs) == 0;
+    }
+    image_destroy(&theirs);
+    return same;
+}
+
+// Where a student who works in order stands: some task of first to last is not done, and they show only
+// together. No such place: first is 0.
+typedef struct Open {
+    int first, last;
+} Open;
+
+static Open find_open(const LabResult *result, const Exam *exam, Roster *roster) {
+    Open open = {0};
+    for (int n = 1; rubric_task(roster->rubric, n + 1); n++) {
+        bool same = is_solved_to(rubric_task(roster->rubric, n), result, exam, roster);
+        if (same && !open.first)
+            open.first = n + 1;
+        if (same)
+            open.last = n + 1;
+        else if (open.first)
+            break;
+    }
+    return open;
+}
+
+static void name_open(CheckResult *check, Open open, const Rubric *rubric) {
+    char text[256];
+    const char *dot = strchr(check->check->task, '.');
+    const bool later = dot && atoi(dot + 1) > open.last;
+    const char *task = later ? check->check->task : rubric_task(rubric, open.first);
+    if (later || open.first == open.last)
+        snprintf(text, sizeof text, "task %s is not done", task);
+    else
+        snprintf(text, sizeof text, "tasks %s to %s show only together, and one of them is not done", task,
+                 rubric_task(rubric, open.last));
+    name_cause(check, text, rubric_hint(rubric, task, 0));
+    check->undone = true;
+    check->cause_task = task;
+}
+
 static void name_kind(CheckResult *check, const Variant *variant, Roster *roster) {
     char text[256];
     const char *task = next_task(check, variant, roster);
@@ -153,8 +203,11 @@ bool diagnose(LabResult *result, Exam *exam, Roster *roster) {
     if (touched && !measure_mistakes(distances, result, exam, roster))
         return false;
     int common = touched ? find_common(result, distances, exam->rubric->mistake_count) : -1;
+    Open open = touched && common < 0 ? find_open(result, exam, roster) : (Open){0};
     for (int c = 0; c < result->check_count; c++)
-        if (wants_cause(&result->checks[c]))
+        if (wants_cause(&result->checks[c]) && open.first)
+            name_open(&result->checks[c], open, exam->rubric);
+        else if (wants_cause(&result->checks[c]))
             explain(&result->checks[c], &distances[c], common, exam, roster);
     return true;
 }
