@@ -18,10 +18,13 @@ LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 TOOLS := grade frame skeletons prove bench_frames bench_truth
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
-	$(wildcard grader/*.c)))
+	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
 ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion test_truth_lab)
+# The study: labs measured against the truth.
+STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
+ON_STUDY := $(patsubst %,$(BUILD)/%,test_truth_lab)
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -95,6 +98,7 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(ON_TRUTH): $(TRUTH)
+$(ON_STUDY): $(STUDY)
 $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o

@@ -15,27 +15,23 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-// What the process keeps: the exam of the lab that was graded last.
+// What the process keeps: the examiner of the lab that was graded last.
 typedef struct Kept {
     int lab; // -1: none
-    Exam exam;
-    Roster roster;
+    Examiner examiner;
 } Kept;
 
 static void forget(Kept *kept) {
-    if (kept->lab >= 0 && kept->exam.rubric)
-        exam_destroy(&kept->exam);
-    roster_destroy(&kept->roster);
-    memset(kept, 0, sizeof *kept);
-    kept->lab = -1;
+    examiner_close(&kept->examiner);
+    *kept = (Kept){.lab = -1};
 }
 
-static void keep(Kept *kept, int lab, const BenchOptions *options) {
+static bool keep(Kept *kept, int lab, const BenchOptions *options) {
     if (kept->lab == lab)
-        return;
+        return true;
     forget(kept);
     kept->lab = lab;
-    kept->roster = (Roster){.rubric = &options->rubrics[lab], .context = options->context};
+    return examiner_open(&kept->examiner, options->rubrics[lab].id);
 }
 
 static void copy_check(VerdictCheck *to, const CheckResult *from) {
@@ -67,12 +63,12 @@ static void grade(Verdict *verdict, Kept *kept, int lab, const BenchOptions *opt
     const double start = process_now();
     memset(verdict, 0, sizeof *verdict);
     check_clear();
-    keep(kept, lab, options);
+    bool ready = keep(kept, lab, options);
     if (!home_find_lab_in(folder, options->folder, options->rubrics[lab].id))
         snprintf(folder, sizeof folder, "%s/%s", options->folder,
                  strrchr(options->rubrics[lab].folder, '/') + 1);
     check_clear();
-    verdict->fault = !grade_by_exam(&result, &kept->exam, &kept->roster, folder, &how);
+    verdict->fault = !ready || !grade_lab(&result, &kept->examiner, folder, &how);
     copy_result(verdict, &result);
     if (verdict->fault)
         snprintf(verdict->message, sizeof verdict->message, "%s", check_message());
@@ -87,11 +83,12 @@ static bool asked(int requests) {
 
 // While the student thinks: draws the pictures of the catalogued mistakes, which the next diagnosis needs.
 static void warm_up(Kept *kept, int requests) {
-    const Rubric *rubric = kept->exam.rubric;
-    for (int m = 0; rubric && m < rubric->mistake_count; m++)
+    const Rubric *rubric = &kept->examiner.rubric;
+    Exam *exam = kept->examiner.exam;
+    for (int m = 0; exam && m < rubric->mistake_count; m++)
         for (int c = 0; c < rubric->check_count; c++)
             for (int n = 0; n < rubric->checks[c].variants; n++)
-                if (asked(requests) || !exam_mistake(&kept->exam, &kept->roster, m, c, n))
+                if (asked(requests) || !exam_mistake(exam, m, c, n))
                     return;
 }
 

@@ -205,17 +205,17 @@ static void press(Watch *watch, int key) {
 }
 
 static void draw(Watch *watch) {
-    static Page page;
+    static Sheet sheet;
     char footer[200];
     int columns, rows;
     terminal_size(&columns, &rows);
-    page_begin(&page, columns);
+    sheet_begin(&sheet, columns);
     if (watch->listing)
-        screens_list(&page, &watch->desk, watch->marked);
+        screens_list(&sheet, &watch->desk, watch->marked);
     else
-        screens_lab(&page, &watch->desk, watch->bench.busy);
+        screens_lab(&sheet, &watch->desk, watch->bench.busy);
     screens_footer(footer, sizeof footer, &watch->desk, watch->listing, watch->bench.busy);
-    page_show(&page, footer, columns, rows, watch->color);
+    sheet_show(&sheet, footer, columns, rows, watch->color);
     watch->dirty = false;
 }
 
@@ -241,21 +241,21 @@ static void watch_terminal(Watch *watch) {
 
 // Without a terminal: one grading, in plain lines.
 static void print_once(Watch *watch) {
-    static Page page;
+    static Sheet sheet;
     ask(watch);
     while (watch->bench.busy && !bench_take(&watch->bench))
         ;
     desk_take(&watch->desk, &watch->bench.verdict);
-    page_begin(&page, PLAIN_WIDTH);
-    screens_lab(&page, &watch->desk, false);
-    page_print(&page, stdout, false);
+    sheet_begin(&sheet, PLAIN_WIDTH);
+    screens_lab(&sheet, &watch->desk, false);
+    sheet_print(&sheet, stdout, false);
 }
 
 static void print_list(Watch *watch) {
-    static Page page;
-    page_begin(&page, PLAIN_WIDTH);
-    screens_list(&page, &watch->desk, -1);
-    page_print(&page, stdout, isatty(STDOUT_FILENO) && watch->color);
+    static Sheet sheet;
+    sheet_begin(&sheet, PLAIN_WIDTH);
+    screens_list(&sheet, &watch->desk, -1);
+    sheet_print(&sheet, stdout, isatty(STDOUT_FILENO) && watch->color);
     if (watch->desk.message[0])
         printf("\n%s\n", watch->desk.message);
 }

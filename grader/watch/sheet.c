@@ -1,4 +1,4 @@
-#include "page.h"
+#include "sheet.h"
 
 #include <stdarg.h>
 #include <string.h>
@@ -9,30 +9,30 @@ static const char *const codes[] = {[STYLE_PLAIN] = "",
                                     [STYLE_BOLD] = "\033[1m",
                                     [STYLE_DIM] = "\033[2m"};
 
-void page_begin(Page *page, int columns) {
-    page->columns = columns < PAGE_WIDTH ? columns : PAGE_WIDTH - 1;
-    page->count = 0;
+void sheet_begin(Sheet *sheet, int columns) {
+    sheet->columns = columns < SHEET_WIDTH ? columns : SHEET_WIDTH - 1;
+    sheet->count = 0;
 }
 
-static PageLine *add(Page *page, Style style) {
+static PageLine *add(Sheet *sheet, Style style) {
     static PageLine spare; // takes what has no room
-    PageLine *line = page->count < PAGE_LINES ? &page->lines[page->count++] : &spare;
+    PageLine *line = sheet->count < SHEET_LINES ? &sheet->lines[sheet->count++] : &spare;
     *line = (PageLine){.style = style};
     return line;
 }
 
-void page_line(Page *page, Style style, const char *format, ...) {
+void sheet_line(Sheet *sheet, Style style, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    PageLine *line = add(page, style);
+    PageLine *line = add(sheet, style);
     vsnprintf(line->text, sizeof line->text, format, arguments);
     va_end(arguments);
 }
 
-void page_marked(Page *page, Style mark_style, const char *mark, const char *format, ...) {
+void sheet_marked(Sheet *sheet, Style mark_style, const char *mark, const char *format, ...) {
     va_list arguments;
     va_start(arguments, format);
-    PageLine *line = add(page, STYLE_PLAIN);
+    PageLine *line = add(sheet, STYLE_PLAIN);
     line->mark_style = mark_style;
     snprintf(line->mark, sizeof line->mark, "%s", mark);
     vsnprintf(line->text, sizeof line->text, format, arguments);
@@ -51,17 +51,17 @@ static int break_at(const char *text, int width) {
     return at > 0 ? at : width;
 }
 
-void page_text(Page *page, Style style, int indent, const char *text) {
-    const int width = page->columns - indent > 20 ? page->columns - indent : 20;
+void sheet_text(Sheet *sheet, Style style, int indent, const char *text) {
+    const int width = sheet->columns - indent > 20 ? sheet->columns - indent : 20;
     while (*text) {
         const int length = break_at(text, width);
-        page_line(page, style, "%*s%.*s", indent, "", length, text);
+        sheet_line(sheet, style, "%*s%.*s", indent, "", length, text);
         text += length;
         text += *text == ' ' || *text == '\n';
     }
 }
 
-void page_bar(char *text, size_t size, double share, int width) {
+void sheet_bar(char *text, size_t size, double share, int width) {
     const int full = (int)(share * width + 1e-9);
     int used = snprintf(text, size, "[");
     for (int i = 0; i < width && used < (int)size - 2; i++)
@@ -89,26 +89,26 @@ static void put_line(FILE *out, const PageLine *line, int columns, bool color) {
     put_text(out, line->style, line->text, columns - mark, color);
 }
 
-void page_print(const Page *page, FILE *out, bool color) {
-    for (int i = 0; i < page->count; i++) {
-        put_line(out, &page->lines[i], PAGE_WIDTH, color);
+void sheet_print(const Sheet *sheet, FILE *out, bool color) {
+    for (int i = 0; i < sheet->count; i++) {
+        put_line(out, &sheet->lines[i], SHEET_WIDTH, color);
         fputc('\n', out);
     }
     fflush(out);
 }
 
 // One write, from the top, without clearing first: nothing flickers.
-void page_show(const Page *page, const char *footer, int columns, int rows, bool color) {
-    static char buffer[PAGE_LINES * (PAGE_WIDTH + 64)];
+void sheet_show(const Sheet *sheet, const char *footer, int columns, int rows, bool color) {
+    static char buffer[SHEET_LINES * (SHEET_WIDTH + 64)];
     FILE *out = fmemopen(buffer, sizeof buffer, "w");
-    const int room = rows - 1, shown = page->count <= room ? page->count : room - 1;
+    const int room = rows - 1, shown = sheet->count <= room ? sheet->count : room - 1;
     if (!out)
         return;
     fputs("\033[H", out);
     for (int i = 0; i < room; i++) {
         if (i < shown)
-            put_line(out, &page->lines[i], columns, color);
-        else if (i == shown && shown < page->count)
+            put_line(out, &sheet->lines[i], columns, color);
+        else if (i == shown && shown < sheet->count)
             put_text(out, STYLE_DIM, "... (a larger window shows more)", columns, color);
         fputs("\033[K\r\n", out);
     }
