@@ -89,12 +89,14 @@ static const char *next_task(const CheckResult *check, int c, Exam *exam) {
     return NULL;
 }
 
-// Does the lab, solved up to the task with number t, draw just what the student's draws, in every check?
+// Does the lab, solved up to the task with number t (0: the skeleton), draw just what the student's draws, in
+// every check?
 static bool is_solved_to(int t, const LabResult *result, Exam *exam) {
     bool same = true;
     for (int c = 0; same && c < result->check_count; c++) {
         const CheckResult *check = &result->checks[c];
-        const Image *theirs = exam_partial(exam, t, c, check->worst);
+        const Image *theirs =
+            t > 0 ? exam_partial(exam, t, c, check->worst) : &exam->variants[c][check->worst].skeleton;
         same = theirs && score_rmse(&check->yours[check->worst], theirs) == 0;
     }
     return same;
@@ -108,7 +110,7 @@ typedef struct Open {
 
 static Open find_open(const LabResult *result, Exam *exam) {
     Open open = {0};
-    for (int n = 1; rubric_task(exam->rubric, n + 1); n++) {
+    for (int n = 0; rubric_task(exam->rubric, n + 1); n++) {
         bool same = is_solved_to(n, result, exam);
         if (same && !open.first)
             open.first = n + 1;
@@ -191,7 +193,7 @@ bool diagnose(LabResult *result, Exam *exam) {
     if (touched && !measure_mistakes(distances, result, exam))
         return false;
     int common = touched ? find_common(result, distances, exam->rubric->mistake_count) : -1;
-    Open open = touched && common < 0 ? find_open(result, exam) : (Open){0};
+    Open open = common < 0 ? find_open(result, exam) : (Open){0};
     for (int c = 0; c < result->check_count; c++)
         if (wants_cause(&result->checks[c]) && open.first)
             name_open(&result->checks[c], open, exam->rubric);

@@ -9,6 +9,7 @@ typedef struct GradeOptions {
     ContextKind context;
     double seconds; // that a submission may run, per lab
     uint64_t seed;
+    bool untimed;  // do not compare times with the solution's
     bool evidence; // keep pictures of what failed in the result
 } GradeOptions;
 
