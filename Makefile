@@ -16,7 +16,7 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
 TOOLS := grade frame skeletons prove bench_frames bench_truth
-WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
+WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view capture)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
@@ -52,6 +52,9 @@ demo: build ## grade the labs as shipped, then the solutions
 
 hint: ## show the hints of a task: make hint TASK=3.2
 	@grader/hint $(TASK)
+
+trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame debugger: make trace LAB=03 [TOOL=renderdoc] [SCENE="far floor"]
+	@TOOL="$(TOOL)" SCENE="$(SCENE)" grader/trace $(LAB)
 
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
@@ -112,6 +115,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: sanitize build grade watch progress demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
