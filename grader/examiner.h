@@ -10,6 +10,7 @@ typedef struct GradeOptions {
     double seconds; // that a submission may run, per lab
     uint64_t seed;
     const Jail *jail; // NULL: their author grades them, outside
+    bool untimed;     // do not compare times with the solution's
     bool evidence;    // keep pictures of what failed in the result
 } GradeOptions;
 

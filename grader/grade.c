@@ -3,6 +3,7 @@
 #include "class/class.h"
 #include "open_jail.h"
 #include "options.h"
+#include "progress.h"
 #include "recorded.h"
 #include "report/evidence.h"
 
@@ -33,6 +34,20 @@ static bool all_passed(const Report *report) {
     return passed;
 }
 
+// What does not compile is no step back: only labs that were drawn are noted.
+static void record(const Report *report) {
+    static Progress progress;
+    for (int i = 0; i < report->lab_count; i++) {
+        const LabResult *lab = &report->labs[i];
+        check_clear();
+        if (lab->status <= LAB_FAILED &&
+            !progress_record(&progress, lab->id, lab->score, lab->max_score, result_done(lab)))
+            fprintf(stderr, "grade: %s\n", check_message());
+    }
+    if (progress.note[0])
+        fprintf(stderr, "grade: %s\n", progress.note);
+}
+
 static int grade_submission(Options *options) {
     static Session session;
     static Jail jail;
@@ -46,6 +61,8 @@ static int grade_submission(Options *options) {
         status = all_passed(&report) ? EXIT_ALL_PASSED : EXIT_NOT_ALL;
     else
         fprintf(stderr, "grade: could not grade: %s\n", check_message());
+    if (options->record && status != EXIT_COULD_NOT)
+        record(&report);
     session_free(&report);
     session_close(&session);
     jail_destroy(&jail);

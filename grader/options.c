@@ -19,6 +19,7 @@ const char options_usage[] =
     "  --context C       osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
     "  --format F        text (default), json, html, gradescope or check50\n"
     "  --output DIR      pictures of what failed: yours, reference, difference\n"
+    "  --record          note the points in the progress (see progress.h)\n"
     "  --timeout S       seconds that a submission may run per lab (default 20)\n"
     "  --jail ROUTE      bwrap or landlock: only this jail (default: the first that holds)\n"
     "  --trusted         no jail: the submission is my own work\n"
@@ -96,6 +97,9 @@ static bool parse_option(Options *options, int option, const char *value) {
     case 'o':
         options->output = value;
         return true;
+    case 'R':
+        options->record = true;
+        return true;
     case 't':
         return parse_timeout(options, value);
     case 'J':
@@ -145,21 +149,15 @@ static bool check_operands(Options *options, int count, char **arguments) {
 }
 
 bool options_parse(Options *options, int count, char **arguments) {
-    static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
-                                          {"seed", required_argument, NULL, 's'},
-                                          {"context", required_argument, NULL, 'c'},
-                                          {"format", required_argument, NULL, 'f'},
-                                          {"output", required_argument, NULL, 'o'},
-                                          {"timeout", required_argument, NULL, 't'},
-                                          {"jail", required_argument, NULL, 'J'},
-                                          {"trusted", no_argument, NULL, 'T'},
-                                          {"class", required_argument, NULL, 'C'},
-                                          {"only", required_argument, NULL, 'O'},
-                                          {"resume", no_argument, NULL, 'r'},
-                                          {"gather", no_argument, NULL, 'g'},
-                                          {"list", no_argument, NULL, 'L'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {0}};
+    static const struct option table[] = {
+        {"lab", required_argument, NULL, 'l'},     {"seed", required_argument, NULL, 's'},
+        {"context", required_argument, NULL, 'c'}, {"format", required_argument, NULL, 'f'},
+        {"output", required_argument, NULL, 'o'},  {"timeout", required_argument, NULL, 't'},
+        {"jail", required_argument, NULL, 'J'},    {"trusted", no_argument, NULL, 'T'},
+        {"record", no_argument, NULL, 'R'},        {"class", required_argument, NULL, 'C'},
+        {"only", required_argument, NULL, 'O'},    {"resume", no_argument, NULL, 'r'},
+        {"gather", no_argument, NULL, 'g'},        {"list", no_argument, NULL, 'L'},
+        {"help", no_argument, NULL, 'h'},          {0}};
     const char *context = getenv("SHADOW_LAB_CONTEXT");
     *options = (Options){.grade = {.seconds = 20}};
     if (context && !context_parse(&options->grade.context, context))

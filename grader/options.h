@@ -17,6 +17,7 @@ typedef struct Options {
     const char *labs[RESULT_MAX_LABS];
     int lab_count;          // 0: all
     const char *output;     // a folder, NULL for none
+    bool record;            // note the points in the student's progress
     const char *submission; // of one student; NULL with --class
     // Of --class:
     const char *class_folder; // NULL without
