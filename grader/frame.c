@@ -126,7 +126,7 @@ static const Change *find_mistake(const Rubric *rubric, const char *name) {
 // Compiles the student's lab into `folder`; what gcc says is printed.
 static bool take_submission(const char *folder, const Rubric *rubric, const char *submission) {
     static char log[COMPILE_LOG];
-    bool ok = derive_submission(folder, rubric, submission, log);
+    bool ok = derive_submission(folder, rubric, submission, NULL, log);
     if (log[0])
         fprintf(stderr, "%s\n", log);
     return ok;
