@@ -88,7 +88,7 @@ bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and t
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
-reset: $(BUILD)/skeletons ## put a lab of labs/ back to the skeleton: make reset LAB=03
+reset: $(filter $(BUILD)/skeletons,$(TOOLS:%=$(BUILD)/%)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@grader/reset $(LAB)
 
 clean: ## remove what was built
