@@ -88,6 +88,12 @@ bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and t
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
+kit: build ## pack the kit for students, without solutions: build/shadow-lab-kit.tar.gz [LAB=03: can grade only that]
+	@grader/make_kit $(BUILD) $(LAB)
+
+gradescope: ## pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]
+	@grader/make_gradescope $(BUILD) $(LAB)
+
 reset: $(filter $(BUILD)/skeletons,$(TOOLS:%=$(BUILD)/%)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@grader/reset $(LAB)
 
