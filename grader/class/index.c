@@ -171,8 +171,10 @@ static void write_link(Page *page, const Table *table, int i) {
 
 static void look_row(Page *page, const Table *table, int i, const char *lab, const char *what,
                      const char *message) {
-    char first[300];
-    snprintf(first, sizeof first, "%.*s", (int)strcspn(message, "\n"), message);
+    char first[200];
+    snprintf(first, sizeof first, "%s", message);
+    for (char *end; (end = strchr(first, '\n'));)
+        *end = ' ';
     fputs("<tr><td class=\"name\">", page->out);
     write_link(page, table, i);
     fputs("</td>", page->out);
