@@ -55,7 +55,7 @@ pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 table: build ## prove the rubrics and put the table into grader/README.md
 	@grader/table
 
-test: build $(TESTS) ## run all tests
+test: build $(TESTS) $(BUILD)/without ## run all tests
 	@grader/tests/run $(BUILD)
 
 sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
@@ -100,6 +100,14 @@ inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
 $(INSIDE): SANITIZE :=
 $(BUILD)/jail_shim: $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $^ -lseccomp
+# A shim weakened on purpose, for the tests of the self-test.
+WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
+$(WEAK): SANITIZE :=
+$(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/weak_%.o $(call inside,shim)
+	$(CC) $(STATIC) -o $@ $(filter-out %/shim_$*.o,$^) -lseccomp
+$(BUILD)/without: $(BUILD)/grader/tests/without.o
+	$(CC) -o $@ $^ -lseccomp
+$(BUILD)/test_jail: | $(WEAK)
 $(BUILD)/jail_probe: $(call inside,probe) $(call inside,attack)
 	$(CC) -o $@ $^ -lpthread -lrt
 $(BUILD)/jail_unpack: $(call inside,unpack)
