@@ -192,7 +192,8 @@ bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, co
     student = (Client){.trust = TRUST_NOBODY,
                        .jail = options->jail,
                        .context = options->context,
-                       .seconds = options->seconds};
+                       .seconds = options->seconds,
+                       .patience = options->patience};
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;
