@@ -56,6 +56,12 @@ hint: ## show the hints of a task: make hint TASK=3.2
 trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame debugger: make trace LAB=03 [TOOL=renderdoc] [SCENE="far floor"]
 	@TOOL="$(TOOL)" SCENE="$(SCENE)" grader/trace $(LAB)
 
+site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: build/site/index.html (needs common/setup --check)
+	@node grader/site/build.mjs $(BUILD)/site
+
+%/node_modules/.package-lock.json: %/package.json
+	cd $* && npm install --no-package-lock --no-audit --no-fund --loglevel=error && touch node_modules/.package-lock.json
+
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
 
@@ -115,6 +121,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: sanitize build grade watch progress trace site demo hint skeletons pictures table test check bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
