@@ -44,7 +44,7 @@ double probe_false(const Probe *probe, int object, int sign) {
     for (size_t i = 0; i < pixels; i++) {
         double truth = probe->ground.visibility[i];
         if (!probe->measured.mask[i] || probe->ground.picture.hits[i].object != object ||
-            truth != (sign < 0 ? 1 : 0))
+            truth != (sign < 0 ? 1 : 0) || probe->ground.distance[i] <= METRICS_LEAST_EDGE)
             continue;
         sum += sign * (probe->measured.visibility[i] - truth);
         count++;

@@ -28,6 +28,6 @@ bool probe_draw(Probe *probe);
 // World units of a wall (hand.h) per pixel.
 double probe_unit(const Probe *probe);
 
-// Mean of false light (sign 1) or false shadow (-1) over the pixels that count, lie on `object` and are dark
-// (lit) in truth. NAN when there are none.
+// Mean of false light (sign 1) or false shadow (-1) over the pixels that count, lie on `object`, are dark
+// (lit) in truth and are no edge. NAN when there are none.
 double probe_false(const Probe *probe, int object, int sign);

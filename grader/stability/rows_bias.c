@@ -3,7 +3,7 @@
 #include "row.h"
 #include "tilted.h"
 
-enum { WIDTH = 400, HEIGHT = 100, NONE = 0, CONSTANT, SLOPE, POLYGON_OFFSET, FRONT_FACES, NORMAL_OFFSET };
+enum { WIDTH = 400, HEIGHT = 100, NONE = 0, CONSTANT, SLOPE, POLYGON_OFFSET };
 static const float half_size = 4;
 
 // Of a share counted over a wall whose pixels fall on texels at phases that never repeat: the rows of the
@@ -101,34 +101,6 @@ static bool run_polygon_offset(Bench *bench, Findings *findings) {
            sweep_factor(bench, findings, figure_curve(figure, "slope along the diagonal", CURVE_EQUAL), 45);
 }
 
-// Along the diagonal, where a normal offset of s sin(theta) / sqrt 2 is needed.
-static bool sweep_angle(Bench *bench, Findings *findings, Curve *curve, double offset, double expected) {
-    bool ok = true;
-    for (int theta = 0; ok && theta <= 85; theta += theta < 80 ? 16 : 5) {
-        Probe probe;
-        ok = begin_wall(&probe, bench, theta, 45);
-        probe_knob(&probe, "method", NORMAL_OFFSET);
-        probe_knob(&probe, "map size", 512);
-        probe_knob(&probe, "normal offset", offset);
-        ok = ok && probe_draw(&probe);
-        if (ok) {
-            bool bare = theta > 0 && expected > 0; // straight light: no slope, no acne
-            curve_add(curve, theta, false_shadow(&probe), bare ? expected : 0, bare ? share_tolerance : 0);
-            findings_frame(findings, 0, false_shadow(&probe), &probe.ground, &probe.measured,
-                           "Normal offset of %.2f texels, light at %d degrees", offset, theta);
-        }
-        probe_end(&probe);
-    }
-    return ok;
-}
-
-static bool run_normal_offset(Bench *bench, Findings *findings) {
-    Figure *figure = findings_figure(findings, "Normal offset on a bare wall", "theta (degrees)", share);
-    return sweep_angle(bench, findings, figure_curve(figure, "0.72 texels", CURVE_EQUAL), 0.72, 0) &&
-           sweep_angle(bench, findings, figure_curve(figure, "half of that", CURVE_EQUAL), 0.5 * M_SQRT1_2,
-                       tilted_acne(0.5, 45));
-}
-
 const Row rows_bias[] = {
     {1, "acne and resolution", "shadow map without bias", "map size, 128 to 4096 texels",
      "Half of the wall is in false shadow, however fine the map: in each texel one half lies behind the "
@@ -145,10 +117,5 @@ const Row rows_bias[] = {
      "lookup: "
      "OpenGL scales by the larger of the two slopes, not by their sum. Nothing from m to 2m on.",
      "closed form; OpenGL 4.1 core, section 3.6.4 (polygon offset)", run_polygon_offset},
-    {6, "normal offset", "normal offset", "the light's angle, 0 to 85 degrees",
-     "No acne at any angle with 0.72 texels (1 / sqrt 2 is enough along the diagonal), an eighth of the wall "
-     "with half "
-     "of it at every angle: unlike a depth bias it need not grow with the slope.",
-     "closed form", run_normal_offset},
     {0},
 };
