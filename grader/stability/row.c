@@ -7,7 +7,16 @@
 #include <string.h>
 
 const Row *row_find(int number) {
-    static const Row *const lists[] = {rows_bias, rows_kernel, rows_contact, rows_frame, rows_depth};
+    static const Row *const lists[] = {
+        rows_bias,       // 1 to 3
+        rows_kernel,     // 4, 5
+        rows_contact,    // 6 to 8
+        rows_frame,      // 9 to 11
+        rows_depth,      // 12
+        rows_resolution, // 13, 14
+        rows_filter,     // 15, 16
+        rows_early_out,  // 17
+    };
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         for (const Row *row = lists[i]; row->number; row++)
             if (row->number == number)

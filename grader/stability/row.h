@@ -32,11 +32,14 @@ typedef struct Row {
 } Row;
 
 // The rows, a list for each topic; ends with the number 0.
-extern const Row rows_bias[];    // rows_bias.c: acne and its cures
-extern const Row rows_kernel[];  // rows_kernel.c: what a wide filter needs
-extern const Row rows_contact[]; // rows_contact.c: what the cures cost
-extern const Row rows_frame[];   // rows_frame.c: where the map ends
-extern const Row rows_depth[];   // rows_depth.c: how many bits a depth needs
+extern const Row rows_bias[];       // rows_bias.c: acne and its cures
+extern const Row rows_kernel[];     // rows_kernel.c: what a wide filter needs
+extern const Row rows_contact[];    // rows_contact.c: what the cures cost
+extern const Row rows_frame[];      // rows_frame.c: where the map ends
+extern const Row rows_depth[];      // rows_depth.c: how many bits a depth needs
+extern const Row rows_resolution[]; // rows_resolution.c: the size of a texel
+extern const Row rows_filter[];     // rows_filter.c: soft edges
+extern const Row rows_early_out[];  // rows_early_out.c: what an early-out misses
 
 // The row with this number; NULL when there is none.
 const Row *row_find(int number);
