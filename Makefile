@@ -67,7 +67,7 @@ check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 	@grader/gates $(BUILD)
 
 stability: build $(BUILD)/stability ## where each method breaks: all rows, and build/study/stability.html
-	@$(BUILD)/stability --output $(BUILD)/study $(ARGS); status=$$?; grader/stability/page $(BUILD)/study && exit $$status
+	@$(BUILD)/stability $(ARGS)
 
 bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)

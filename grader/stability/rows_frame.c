@@ -124,7 +124,7 @@ static bool sweep_far(Bench *bench, Findings *findings, Figure *figure, const Co
     for (int i = 0; ok && i < 5; i++) {
         Scene scene = straight(1, 2, (float)(8 / places[i]));
         Probe probe;
-        ok = probe_begin(&probe, bench, "05", &scene, SIDE / 4, SIDE / 4);
+        ok = probe_begin(&probe, bench, "05", &scene, SIDE / 2, SIDE / 2);
         probe.change = comparison->change.name ? &comparison->change : NULL;
         probe_knob(&probe, "method", LINEAR);
         ok = ok && probe_draw(&probe);

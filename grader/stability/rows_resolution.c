@@ -33,7 +33,7 @@ static Scene long_floor(double phi, float shift, float half_size, float eye_heig
     Scene scene = hand_wall(half_size, 1, glm_rad(60));
     mat4s turned =
         glms_rotate(glms_translate_make(vec3_make(shift, -half_size, 6)), -(float)phi, vec3_make(0, 0, 1));
-    hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 0), vec3_make(10, 40, 0.01F), 0);
+    hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 0), vec3_make(10, 80, 0.01F), 0);
     scene.objects[1].world_from_object =
         glms_mat4_mul(glms_translate(turned, vec3_make(-10, 0, 0)), scene.objects[1].world_from_object);
     scene.camera.eye = vec3_make(0, -half_size, eye_height);
