@@ -17,8 +17,9 @@ const Row *row_find(int number) {
         rows_resolution, // 13, 14
         rows_filter,     // 15, 16
         rows_early_out,  // 17
+        NULL,
     };
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+    for (int i = 0; lists[i]; i++)
         for (const Row *row = lists[i]; row->number; row++)
             if (row->number == number)
                 return row;

@@ -30,7 +30,7 @@ python3 -c 'import sys,xml.dom.minidom as d; [d.parse(f) for f in sys.argv[1:]]'
 first=$(cat "$work/study/stability.json")
 suite --row 16
 expect "one row" 0 "16  pass"
-[[ $(json 'json.dumps(rows[0])') == $(python3 -c 'import json,sys; print(json.dumps(json.loads(sys.stdin.read())["rows"][15]))' <<<"$first") ]] &&
+[[ $(json 'json.dumps(rows[0])') == "$(python3 -c 'import json,sys; print(json.dumps(json.load(sys.stdin)["rows"][15]))' <<<"$first")" ]] &&
     ok || bad "a row alone gives the same numbers"
 
 # faulty ROW LAB MISTAKE: the row must fail when the lab draws with this mistake.
