@@ -45,8 +45,7 @@ static bool trivial_scores(const Variant *variant) {
     return found;
 }
 
-// Is the variant worth asking? See exam.h.
-static bool acceptable(const Variant *variants, int n) {
+bool exam_acceptable(const Variant *variants, int n) {
     const Variant *variant = &variants[n];
     if (score_mask(&variant->reference, &variant->without) < MIN_MASK ||
         score_mask(&variant->reference, &variant->skeleton) < MIN_MASK || trivial_scores(variant))
@@ -86,7 +85,7 @@ static bool create_check(Exam *exam, int c, const Painters *painters) {
         variant->request.width = width;
         variant->request.height = height;
         ok = ok && draw_variant(variant, painters, exam->renderer);
-        n += ok && acceptable(exam->variants[c], n);
+        n += ok && exam_acceptable(exam->variants[c], n);
     }
     if (ok && n < check->variants)
         return check_fail(
