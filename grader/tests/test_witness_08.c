@@ -23,13 +23,13 @@ typedef double (*Expected)(double x, double z);
 
 static Scene floor_scene(float half) {
     Scene scene = {.camera = {.eye = vec3_make(0, 5, 5), .fov_y = 1, .near_plane = 1, .far_plane = 20}};
-    witness_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(half, 1, half), 0);
+    hand_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(half, 1, half), 0);
     return scene;
 }
 
 // A plane that stands at `middle`, faces +z, and is then turned about +y.
 static void add_wall(Scene *scene, vec3s middle, float half_width, float half_height, float turn) {
-    witness_add(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), turn);
+    hand_add(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), turn);
     mat4s *placed = &scene->objects[scene->object_count - 1].world_from_object;
     *placed = glms_rotate(*placed, glm_rad(90), vec3_make(1, 0, 0));
     *placed = glms_scale(*placed, vec3_make(half_width, 1, half_height));
@@ -137,10 +137,10 @@ static double under_disc(double x, double z) {
 static void test_sphere_and_disc(void **unused) {
     (void)unused;
     Scene scene = floor_scene(2);
-    witness_add(&scene, SHAPE_SPHERE, vec3_make(0, 1, 0), vec3_make(0.6f, 0.6f, 0.6f), 0);
+    hand_add(&scene, SHAPE_SPHERE, vec3_make(0, 1, 0), vec3_make(0.6f, 0.6f, 0.6f), 0);
     compare("sphere", &scene, 2048, 100, under_sphere);
     scene = floor_scene(0.875f); // 7 x 7 texels: one has its middle on the axis
-    witness_add(&scene, SHAPE_SPHERE, vec3_make(0, 0.5f, 0), vec3_make(0.7f, 1e-3f, 0.7f), 0);
+    hand_add(&scene, SHAPE_SPHERE, vec3_make(0, 0.5f, 0), vec3_make(0.7f, 1e-3f, 0.7f), 0);
     compare("disc", &scene, 4096, 100, under_disc);
 }
 

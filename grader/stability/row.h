@@ -1,0 +1,57 @@
+// A row of the stability suite: one method swept to where it breaks, and what must come out.
+#pragma once
+
+#include "bench.h"
+#include "curve.h"
+#include "study/ground.h"
+
+#include <stdbool.h>
+
+enum { ROW_COUNT = 31, ROW_FIGURES = 3, ROW_FRAMES = 3, ROW_TEXT = 600 };
+
+// A frame to look at: the method's visibility, the truth and the error, side by side.
+typedef struct RowFrame {
+    char caption[ROW_TEXT];
+    double badness;
+    Image strip; // owned
+} RowFrame;
+
+typedef struct Findings {
+    Figure figures[ROW_FIGURES];
+    int figure_count;
+    RowFrame frames[ROW_FRAMES];
+} Findings;
+
+// Texts for people; `expected` says what comes out and why.
+typedef struct Row {
+    int number; // as in the suite's list, 1..ROW_COUNT
+    const char *name, *method, *sweep, *expected, *source;
+    // Fills the findings. False with a message when something could not be drawn. NULL: no lab has the method
+    // yet; `expected` then says what would be seen.
+    bool (*run)(Bench *bench, Findings *findings);
+} Row;
+
+// The rows, a list for each topic; ends with the number 0.
+extern const Row rows_bias[];  // rows_bias.c: acne and its cures
+extern const Row rows_frame[]; // rows_frame.c: where the map ends
+
+// The row with this number; NULL when there is none.
+const Row *row_find(int number);
+
+// A new figure without curves. Abort when there is no room.
+Figure *findings_figure(Findings *findings, const char *title, const char *x_label, const char *y_label);
+
+// Keeps the frame in `slot` (0..ROW_FRAMES - 1) when it is worse than the one kept there: where sweeps go on,
+// the worst stays. Yellow is false light, blue false shadow, dark what does not count.
+void findings_frame(Findings *findings, int slot, double badness, const Ground *ground,
+                    const Measured *measured, const char *caption, ...) __attribute__((format(printf, 6, 7)));
+
+void findings_destroy(Findings *findings); // accepts zeroed findings
+
+typedef enum RowStatus { ROW_PASS, ROW_FAIL, ROW_NOT_BUILT } RowStatus;
+
+// Of a row that ran (`ran`: without a message): it passes when there are curves and all of them hold. `worst`
+// is the verdict that uses up most of its tolerance, `curve` the curve that it belongs to (NULL: none).
+RowStatus row_judge(const Row *row, bool ran, const Findings *findings, CurveVerdict *worst,
+                    const Curve **curve);
+const char *row_status_name(RowStatus status); // "pass", "fail", "not-built"
