@@ -32,8 +32,10 @@ typedef struct Row {
 } Row;
 
 // The rows, a list for each topic; ends with the number 0.
-extern const Row rows_bias[];  // rows_bias.c: acne and its cures
-extern const Row rows_frame[]; // rows_frame.c: where the map ends
+extern const Row rows_bias[];    // rows_bias.c: acne and its cures
+extern const Row rows_kernel[];  // rows_kernel.c: what a wide filter needs
+extern const Row rows_contact[]; // rows_contact.c: what the cures cost
+extern const Row rows_frame[];   // rows_frame.c: where the map ends
 
 // The row with this number; NULL when there is none.
 const Row *row_find(int number);

@@ -1,55 +1,121 @@
-// Acne on a bare plane, the cures, and what they cost. The light is directional and tilted from the plane's
-// normal, so that closed forms hold: s is the texel of the map, theta the angle between light and normal, psi
-// the slope's azimuth in the map, K = |cos psi| + |sin psi|, and the least bias of a nearest lookup b0 = s
-// tan(theta) K / 2.
+// Acne on a bare wall and what ends it. s is a texel, theta the angle between light and normal.
+#include "probe.h"
 #include "row.h"
+#include "tilted.h"
 
-#include "check.h"
-#include "hand.h"
+enum { WIDTH = 400, HEIGHT = 100, NONE = 0, CONSTANT, SLOPE, POLYGON_OFFSET };
+static const float half_size = 4;
 
-enum { SIZE = 200 };
-static const float NEAR = 4, FAR = 16;
+// Of a share counted over a wall whose pixels fall on texels at phases that never repeat: the rows of the
+// picture are alike at psi = 0, so WIDTH phases must do, evenly spread but for a few.
+static const double share_tolerance = 4.0 / WIDTH;
 
-// A wall seen straight on under a light at the angle theta from its normal. psi turns the light about the
-// normal (degrees, both); the map's axes stay those of the wall at psi = 0.
-static Scene tilted_light(double theta, double psi, float half_size) {
-    double t = glm_rad((float)theta), p = glm_rad((float)psi);
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_light(
-        &scene, LIGHT_DIRECTIONAL,
-        vec3_make((float)(-10 * sin(t) * cos(p)), (float)(-10 * sin(t) * sin(p)), (float)(10 * cos(t))),
-        vec3_make(0, 0, 0), 0, half_size, NEAR, FAR);
-    return scene;
+static const char share[] = "false shadow (share of the wall)";
+
+static bool begin_wall(Probe *probe, Bench *bench, double theta, double psi) {
+    const Scene scene = tilted_wall(theta, psi, half_size, (double)WIDTH / HEIGHT);
+    return probe_begin(probe, bench, "04", &scene, WIDTH, HEIGHT);
+}
+
+static double false_shadow(const Probe *probe) {
+    return probe->measured.metrics.all.false_shadow;
 }
 
 static bool run_map(Bench *bench, Findings *findings) {
-    Figure *figure =
-        findings_figure(findings, "Bare plane, no bias", "map size (texels)", "false shadow (share)");
-    figure->log_x = true;
+    Figure *figure = findings_figure(findings, "A bare wall without bias", "map size (texels)", share);
     Curve *curve = figure_curve(figure, "no bias", CURVE_EQUAL);
-    const Scene scene = tilted_light(60, 0, 4);
-    Artist *artist = bench_artist(bench, "04", NULL);
-    Ground ground = {0};
-    bool ok = artist && ground_create(&ground, &scene, (MetricsSize){SIZE, SIZE},
-                                      &(TruthQuery){.kind = TRUTH_LIGHT}, artist);
+    Probe probe;
+    bool ok = begin_wall(&probe, bench, 60, 25);
+    figure->log_x = true;
+    probe_knob(&probe, "method", NONE);
     for (int size = 128; ok && size <= 4096; size *= 2) {
-        Setting setting = {.view = VIEW_VISIBILITY, .object = TRUTH_NONE};
-        Measured measured = {0};
-        setting_knob(&setting, "method", 0);
-        setting_knob(&setting, "map size", (float)size);
-        ok = ground_measure(&ground, artist, &setting, false, &measured);
-        if (ok) {
-            curve_add(curve, size, measured.metrics.all.false_shadow, 0.5, 0.01);
-            findings_frame(findings, 0, fabs(measured.metrics.all.false_shadow - 0.5), &ground, &measured,
-                           "Map of %d texels", size);
-        }
-        measured_destroy(&measured);
+        probe_knob(&probe, "map size", size);
+        ok = probe_draw(&probe);
+        if (!ok)
+            break;
+        curve_add(curve, size, false_shadow(&probe), 0.5, share_tolerance);
+        findings_frame(findings, 0, 1.0 / size, &probe.ground, &probe.measured, "A map of %d texels", size);
     }
-    ground_destroy(&ground);
+    probe_end(&probe);
     return ok;
 }
 
+// Depth of the map that a world length along the light is.
+static double map_depth(double world) {
+    return world / (TILTED_FAR - TILTED_NEAR);
+}
+
+static bool sweep_ratio(Bench *bench, Findings *findings, Curve *curve, double psi) {
+    enum { MAP = 512 };
+    Probe probe;
+    bool ok = begin_wall(&probe, bench, 60, psi);
+    double least = 0.5 * 2 * half_size / MAP * tilted_slope(&probe.ground.truth.scene);
+    probe_knob(&probe, "method", CONSTANT);
+    probe_knob(&probe, "map size", MAP);
+    for (int i = 0; ok && i <= 8; i++) {
+        double r = i < 7 ? i / 6.0 * 0.96 : i == 7 ? 1.02 : 1.2;
+        probe_knob(&probe, "bias", map_depth(r * least));
+        ok = probe_draw(&probe);
+        if (!ok)
+            break;
+        curve_add(curve, r, false_shadow(&probe), tilted_acne(r, psi), r > 1 ? 0 : share_tolerance);
+        findings_frame(findings, 0, false_shadow(&probe), &probe.ground, &probe.measured,
+                       "A bias of %.2f times the least one, slope at %.0f degrees in the map", r, psi);
+    }
+    probe_end(&probe);
+    return ok;
+}
+
+static bool run_constant(Bench *bench, Findings *findings) {
+    Figure *figure =
+        findings_figure(findings, "Constant bias on a tilted wall", "r = bias / (s tan(theta) K / 2)", share);
+    return sweep_ratio(bench, findings, figure_curve(figure, "slope along an axis", CURVE_EQUAL), 0) &&
+           sweep_ratio(bench, findings, figure_curve(figure, "slope along the diagonal", CURVE_EQUAL), 45);
+}
+
+// glPolygonOffset moves the map by factor * max(|dz/dx|, |dz/dy|) for each texel: at psi = 0 a factor of 1/2
+// reaches from the texel's middle to its border, along the diagonal it needs 1 to reach the corner.
+static bool sweep_factor(Bench *bench, Findings *findings, Curve *curve, double psi) {
+    double enough = psi > 0 ? 1 : 0.5;
+    Probe probe;
+    bool ok = begin_wall(&probe, bench, 70, psi);
+    probe_knob(&probe, "method", POLYGON_OFFSET);
+    probe_knob(&probe, "map size", 512);
+    for (int i = 0; ok && i <= 8; i++) {
+        double factor = i < 6 ? 0.16 * i : i == 6 ? 1.02 : i == 7 ? 1.5 : 2, r = factor / enough;
+        probe_knob(&probe, "factor", factor);
+        ok = probe_draw(&probe);
+        if (!ok)
+            break;
+        curve_add(curve, factor, false_shadow(&probe), tilted_acne(r, psi), r > 1 ? 0 : share_tolerance);
+        findings_frame(findings, 0, false_shadow(&probe), &probe.ground, &probe.measured,
+                       "Factor %.2f, slope at %.0f degrees in the map", factor, psi);
+    }
+    probe_end(&probe);
+    return ok;
+}
+
+static bool run_polygon_offset(Bench *bench, Findings *findings) {
+    Figure *figure = findings_figure(findings, "Polygon offset on a steep wall", "factor", share);
+    return sweep_factor(bench, findings, figure_curve(figure, "slope along an axis", CURVE_EQUAL), 0) &&
+           sweep_factor(bench, findings, figure_curve(figure, "slope along the diagonal", CURVE_EQUAL), 45);
+}
+
 const Row rows_bias[] = {
-    {1, "map resolution", "shadow map without bias", "map size", "half", "closed form", run_map},
+    {1, "acne and resolution", "shadow map without bias", "map size, 128 to 4096 texels",
+     "Half of the wall is in false shadow, however fine the map: in each texel one half lies behind the "
+     "depth of its "
+     "middle.",
+     "closed form, by symmetry of the texel", run_map},
+    {2, "constant bias", "constant bias", "the bias, as a multiple r of the least one that is enough",
+     "(1 - r) / 2 along an axis of the map, (1 - r)^2 / 2 along its diagonal, and nothing from r = 1 on: the "
+     "share of "
+     "a texel that lies deeper than its middle by more than the bias.",
+     "closed form", run_constant},
+    {3, "slope-scaled bias", "glPolygonOffset", "the factor, 0 to 2",
+     "As row 2 with r = factor / m along an axis and factor / 2m along the diagonal, m = 1/2 for a nearest "
+     "lookup: "
+     "OpenGL scales by the larger of the two slopes, not by their sum. Nothing from m to 2m on.",
+     "closed form; OpenGL 4.1 core, section 3.6.4 (polygon offset)", run_polygon_offset},
     {0},
 };
