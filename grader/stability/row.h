@@ -36,6 +36,7 @@ extern const Row rows_bias[];    // rows_bias.c: acne and its cures
 extern const Row rows_kernel[];  // rows_kernel.c: what a wide filter needs
 extern const Row rows_contact[]; // rows_contact.c: what the cures cost
 extern const Row rows_frame[];   // rows_frame.c: where the map ends
+extern const Row rows_planes[];  // rows_planes.c: what cuts shadow volumes
 
 // The row with this number; NULL when there is none.
 const Row *row_find(int number);
