@@ -37,6 +37,7 @@ extern const Row rows_kernel[];  // rows_kernel.c: what a wide filter needs
 extern const Row rows_contact[]; // rows_contact.c: what the cures cost
 extern const Row rows_frame[];   // rows_frame.c: where the map ends
 extern const Row rows_planes[];  // rows_planes.c: what cuts shadow volumes
+extern const Row rows_closed[];  // rows_closed.c: what a volume needs of its caster
 
 // The row with this number; NULL when there is none.
 const Row *row_find(int number);

@@ -1,9 +1,8 @@
 // Shadow volumes and what cuts them: the eye, the near plane, the far plane and the end of the depth buffer.
+#include "counting.h"
 #include "hand.h"
-#include "row.h"
-#include "sight.h"
 
-enum { SIZE = 160, Z_PASS = 0, Z_FAIL = 1 };
+enum { SIZE = COUNTING_SIZE };
 
 // Surfaces and volumes end at the camera's far plane, as they do before task 7.8.
 static const Change finite_far_plane = {
@@ -14,32 +13,16 @@ static const Change finite_far_plane = {
           ""}},
     .edit_count = 1};
 
-// What a curve is measured with.
-typedef struct Method {
-    Bench *bench;
-    Findings *findings;
-    Curve *curve;
-    const Change *change;
-    int method, slot;
-} Method;
-
-// Adds the share of wrong pixels in this scene. It must be that of the rays whose point at `depth` is in a
-// volume; 0: none.
-static bool add_point(const Method *method, const Scene *scene, double x, double depth) {
+// The wrong pixels must be those whose ray's point at `depth` is in a volume; 0: none.
+static bool add_point(const Counting *method, const Scene *scene, double x, double depth) {
     Probe probe;
     SightShare share = {0};
-    bool ok = probe_begin(&probe, method->bench, "07", scene, SIZE, SIZE);
-    probe.change = method->change;
-    probe_knob(&probe, "method", method->method);
-    ok = ok && probe_draw(&probe);
+    bool ok = counting_begin(&probe, method, scene);
     if (ok && depth == 0)
         share = sight_share(&probe, NULL);
-    if (ok && (depth == 0 || sight_share_at(&probe, depth, &share))) {
-        double wrong = probe.measured.metrics.all.mae;
-        curve_add(method->curve, x, wrong, share.share, share.tolerance);
-        findings_frame(method->findings, method->slot, wrong, &probe.ground, &probe.measured, "%s at %g",
-                       method->curve->name, x);
-    }
+    ok = ok && (depth == 0 || sight_share_at(&probe, depth, &share));
+    if (ok)
+        counting_add(method, &probe, x, share);
     probe_end(&probe);
     return ok;
 }
@@ -52,7 +35,7 @@ static Scene wall_and_box(vec3s to_light, vec3s center, vec3s half_size) {
     return scene;
 }
 
-static bool sweep_eye(const Method *method) {
+static bool sweep_eye(const Counting *method) {
     bool ok = true;
     for (int i = 0; ok && i <= 16; i++) {
         float x = -1.6f + 0.2f * (float)i;
@@ -68,13 +51,13 @@ static bool sweep_eye(const Method *method) {
 static bool run_eye(Bench *bench, Findings *findings) {
     Figure *figure = findings_figure(findings, "The eye goes through a shadow, from -0.5 to 0.5",
                                      "place of the eye (world units)", "wrong pixels (share)");
-    return sweep_eye(&(Method){bench, findings, figure_curve(figure, "failure: z-pass", CURVE_EQUAL), NULL,
-                               Z_PASS, 0}) &&
-           sweep_eye(&(Method){bench, findings, figure_curve(figure, "remedy: z-fail", CURVE_EQUAL), NULL,
-                               Z_FAIL, 1});
+    return sweep_eye(&(Counting){bench, findings, figure_curve(figure, "failure: z-pass", CURVE_EQUAL), NULL,
+                                 Z_PASS, 0}) &&
+           sweep_eye(&(Counting){bench, findings, figure_curve(figure, "remedy: z-fail", CURVE_EQUAL), NULL,
+                                 Z_FAIL, 1});
 }
 
-static bool sweep_near(const Method *method) {
+static bool sweep_near(const Counting *method) {
     bool ok = true;
     for (int i = 0; ok && i <= 16; i++) {
         Scene scene = wall_and_box(vec3_make(10, 0, 3), vec3_make(3, 0, 5), vec3_make(0.3f, 0.5f, 0.3f));
@@ -88,14 +71,14 @@ static bool sweep_near(const Method *method) {
 static bool run_near(Bench *bench, Findings *findings) {
     Figure *figure = findings_figure(findings, "The near plane goes through a shadow before the wall",
                                      "distance of the near plane (world units)", "wrong pixels (share)");
-    return sweep_near(&(Method){bench, findings, figure_curve(figure, "failure: z-pass", CURVE_EQUAL), NULL,
-                                Z_PASS, 0}) &&
-           sweep_near(&(Method){bench, findings, figure_curve(figure, "remedy: z-fail", CURVE_EQUAL), NULL,
-                                Z_FAIL, 1});
+    return sweep_near(&(Counting){bench, findings, figure_curve(figure, "failure: z-pass", CURVE_EQUAL), NULL,
+                                  Z_PASS, 0}) &&
+           sweep_near(&(Counting){bench, findings, figure_curve(figure, "remedy: z-fail", CURVE_EQUAL), NULL,
+                                  Z_FAIL, 1});
 }
 
 // The wall is 10 units away.
-static bool sweep_far(const Method *method, bool cut) {
+static bool sweep_far(const Counting *method, bool cut) {
     const float behind[] = {0.1f, 0.25f, 0.5f, 1, 1.5f, 2, 3, 4, 6, 8};
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof behind / sizeof *behind; i++) {
@@ -117,9 +100,9 @@ static bool run_far(Bench *bench, Findings *findings) {
     Artist *artist = bench_artist(bench, "07", NULL);
     const Change *clamp =
         artist ? artist_alternative(artist, "a finite far plane with GL_DEPTH_CLAMP") : NULL;
-    return clamp && sweep_far(&(Method){bench, findings, finite, &finite_far_plane, Z_FAIL, 0}, true) &&
-           sweep_far(&(Method){bench, findings, infinite, NULL, Z_FAIL, 1}, false) &&
-           sweep_far(&(Method){bench, findings, clamped, clamp, Z_FAIL, 2}, false);
+    return clamp && sweep_far(&(Counting){bench, findings, finite, &finite_far_plane, Z_FAIL, 0}, true) &&
+           sweep_far(&(Counting){bench, findings, infinite, NULL, Z_FAIL, 1}, false) &&
+           sweep_far(&(Counting){bench, findings, clamped, clamp, Z_FAIL, 2}, false);
 }
 
 // Looks at the sky alone, where no shadow can fall: all counts must be 0.
@@ -141,7 +124,7 @@ static double counted_sky(const Probe *probe) {
 
 // A lamp before a square plate before an open sky: the plate's far cap lies in the middle of the picture,
 // around the plate.
-static bool sweep_sky(const Method *method, bool capped) {
+static bool sweep_sky(const Counting *method, bool capped) {
     bool ok = true;
     for (int i = 1; ok && i <= 10; i++) {
         float side = 0.06f * (float)i;
@@ -176,8 +159,8 @@ static bool run_sky(Bench *bench, Findings *findings) {
           *equal = figure_curve(figure, "remedy: GL_LEQUAL", CURVE_EQUAL);
     Artist *artist = bench_artist(bench, "07", NULL);
     const Change *mistake = artist ? artist_mistake(artist, "z-fail keeps the depth function GL_LESS") : NULL;
-    return mistake && sweep_sky(&(Method){bench, findings, less, mistake, Z_FAIL, 0}, true) &&
-           sweep_sky(&(Method){bench, findings, equal, NULL, Z_FAIL, 1}, false);
+    return mistake && sweep_sky(&(Counting){bench, findings, less, mistake, Z_FAIL, 0}, true) &&
+           sweep_sky(&(Counting){bench, findings, equal, NULL, Z_FAIL, 1}, false);
 }
 
 #define SIGHT "closed form: rays against the caster from each pixel's point on the plane"
