@@ -38,6 +38,8 @@ extern const Row rows_contact[]; // rows_contact.c: what the cures cost
 extern const Row rows_frame[];   // rows_frame.c: where the map ends
 extern const Row rows_planes[];  // rows_planes.c: what cuts shadow volumes
 extern const Row rows_closed[];  // rows_closed.c: what a volume needs of its caster
+extern const Row rows_stencil[]; // rows_stencil.c: how far eight bits of stencil count
+extern const Row rows_fill[];    // rows_fill.c: what counting costs
 
 // The row with this number; NULL when there is none.
 const Row *row_find(int number);

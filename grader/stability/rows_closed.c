@@ -68,7 +68,7 @@ static bool sweep_near_caps(const Counting *method, bool fails) {
 static bool sweep_far_caps(const Counting *method, bool fails) {
     bool ok = true;
     for (int i = 0; ok && i <= 8; i++) {
-        double x = 0.5 * i;
+        double x = 0.45 * i;
         Scene scene = hand_wall(6, 10, glm_rad(40));
         hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 3), vec3_make(0.8f, 0.8f, 0.1f), 0);
         hand_light(&scene, LIGHT_SPOT, vec3_make((float)x, 0, 7), vec3_make(0, 0, 0), glm_rad(90), 0, 1, 20);
