@@ -7,7 +7,8 @@
 #include <string.h>
 
 const Row *row_find(int number) {
-    static const Row *const lists[] = {rows_bias, rows_kernel, rows_contact, rows_frame, rows_planes, rows_closed, rows_stencil, rows_fill};
+    static const Row *const lists[] = {rows_bias,   rows_kernel, rows_contact, rows_frame, rows_motion,
+                                       rows_planes, rows_closed, rows_stencil, rows_fill};
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         for (const Row *row = lists[i]; row->number; row++)
             if (row->number == number)

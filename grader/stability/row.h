@@ -36,6 +36,7 @@ extern const Row rows_bias[];    // rows_bias.c: acne and its cures
 extern const Row rows_kernel[];  // rows_kernel.c: what a wide filter needs
 extern const Row rows_contact[]; // rows_contact.c: what the cures cost
 extern const Row rows_frame[];   // rows_frame.c: where the map ends
+extern const Row rows_motion[];  // rows_motion.c: a shadow map that moves
 extern const Row rows_planes[];  // rows_planes.c: what cuts shadow volumes
 extern const Row rows_closed[];  // rows_closed.c: what a volume needs of its caster
 extern const Row rows_stencil[]; // rows_stencil.c: how far eight bits of stencil count
