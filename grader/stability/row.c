@@ -7,8 +7,9 @@
 #include <string.h>
 
 const Row *row_find(int number) {
-    static const Row *const lists[] = {rows_bias,   rows_kernel, rows_contact, rows_frame, rows_motion,
-                                       rows_planes, rows_closed, rows_stencil, rows_fill};
+    static const Row *const lists[] = {rows_bias,   rows_kernel, rows_contact, rows_frame,
+                                       rows_motion, rows_planes, rows_closed,  rows_stencil,
+                                       rows_fill,   rows_bake,   rows_screen,  rows_later};
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         for (const Row *row = lists[i]; row->number; row++)
             if (row->number == number)
