@@ -2,7 +2,9 @@
 #include "check.h"
 #include "files.h"
 #include "home.h"
+#include "stability/plot.h"
 #include "stability/row_json.h"
+#include "stability/suite_html.h"
 
 #include <getopt.h>
 #include <signal.h>
@@ -13,7 +15,7 @@
 static const char usage[] =
     "usage: build/stability [options]\n"
     "  --row N            only this row; may be repeated\n"
-    "  --output DIR       writes stability.json and the frames (default build/study)\n"
+    "  --output DIR       writes stability.json, .html and the figures (default build/study)\n"
     "  --mistake NN:NAME  lab NN is drawn with a mistake of its mistakes.json\n";
 
 typedef struct Options {
@@ -71,51 +73,23 @@ static bool parse(Options *options, int count, char **arguments) {
     return optind == count || check_fail("\"%s\" is not an option", arguments[optind]);
 }
 
-static void print_line(const Row *row, RowStatus status, const CurveVerdict *worst, const Curve *curve,
-                       const char *message) {
-    printf("%2d  %-9s  %-28s ", row->number, row_status_name(status), row->name);
-    if (message)
-        printf("%s\n", message);
-    else if (curve)
-        printf("%s: %.4g, expected %.4g, %.0f %% of the tolerance\n", curve->name, worst->measured,
-               worst->expected, 100 * worst->share);
+static void print_line(const RowResult *result) {
+    printf("%2d  %-9s  %-22s ", result->row->number, row_status_name(result->status), result->row->name);
+    if (result->message[0])
+        printf("%s\n", result->message);
+    else if (result->curve)
+        printf("%s: %.4g, expected %.4g, %.0f %% of the tolerance\n", result->curve->name,
+               result->worst.measured, result->worst.expected, 100 * result->worst.share);
     else
-        printf("%s\n", row->run ? "nothing was measured" : "no lab has this method yet");
+        printf("%s\n", result->row->run ? "nothing was measured" : "no lab has this method yet");
     fflush(stdout);
 }
 
-static bool write_frames(const Row *row, const Findings *findings, const char *folder) {
-    char path[FILES_PATH], name[64];
-    for (int i = 0; i < ROW_FRAMES; i++) {
-        row_frame_name(name, row, i);
-        files_join(path, folder, name);
-        if (findings->frames[i].strip.rgba && !image_write_png(&findings->frames[i].strip, path))
-            return false;
-    }
-    return true;
-}
-
-// False when the row fails.
-static bool run_row(Options *options, const Row *row, json_t *rows) {
-    static Findings findings;
-    CurveVerdict worst;
-    const Curve *curve;
-    check_clear();
-    bool ran = !row->run || row->run(&options->bench, &findings);
-    const char *message = ran ? NULL : check_message();
-    RowStatus status = row_judge(row, ran, &findings, &worst, &curve);
-    print_line(row, status, &worst, curve, message);
-    json_array_append_new(rows, row_json(row, &findings, message));
-    if (!write_frames(row, &findings, options->output)) {
-        fprintf(stderr, "stability: %s\n", check_message());
-        status = ROW_FAIL;
-    }
-    findings_destroy(&findings);
-    return status != ROW_FAIL;
-}
-
-static bool write_json(json_t *rows, const char *folder) {
+static bool write_json(const RowResult *results, int count, const char *folder) {
     char path[FILES_PATH];
+    json_t *rows = json_array();
+    for (int i = 0; i < count; i++)
+        json_array_append_new(rows, row_json(&results[i]));
     json_t *root = json_pack("{s:i, s:o}", "version", 1, "rows", rows);
     files_join(path, folder, "stability.json");
     bool ok = root && json_dump_file(root, path, JSON_INDENT(1) | JSON_REAL_PRECISION(8)) == 0;
@@ -123,21 +97,41 @@ static bool write_json(json_t *rows, const char *folder) {
     return ok || check_fail("%s cannot be written", path);
 }
 
-static int run(Options *options) {
-    json_t *rows = json_array();
-    int failed = 0;
-    if (!files_make_folder(options->output)) {
-        fprintf(stderr, "stability: %s\n", check_message());
-        return 1;
-    }
+static bool write_page(const RowResult *results, int count, const char *folder) {
+    char path[FILES_PATH];
+    char *text = suite_html(results, count, folder);
+    files_join(path, folder, "stability.html");
+    bool ok = text && files_write(path, text);
+    free(text);
+    return ok;
+}
+
+// The number of rows that ran; *failed is that of those that fail.
+static int run_rows(Options *options, RowResult *results, int *failed) {
+    int count = 0;
+    *failed = 0;
     for (int i = 1; i <= ROW_COUNT; i++)
-        if (options->rows[i] && row_find(i))
-            failed += !run_row(options, row_find(i), rows);
+        if (options->rows[i] && row_find(i)) {
+            row_run(&results[count], row_find(i), &options->bench);
+            print_line(&results[count]);
+            *failed += results[count++].status == ROW_FAIL;
+        }
     bench_close(&options->bench);
-    if (write_json(rows, options->output))
-        return failed > 0;
-    fprintf(stderr, "stability: %s\n", check_message());
-    return 1;
+    return count;
+}
+
+static int run(Options *options) {
+    static RowResult results[ROW_COUNT];
+    int failed, count = run_rows(options, results, &failed);
+    const char *folder = options->output;
+    check_clear();
+    bool ok = files_make_folder(folder) && write_json(results, count, folder) &&
+              plot_all(results, count, folder) && write_page(results, count, folder);
+    for (int i = 0; i < count; i++)
+        findings_destroy(&results[i].findings);
+    if (!ok)
+        fprintf(stderr, "stability: %s\n", check_message());
+    return !ok || failed > 0;
 }
 
 int main(int count, char **arguments) {

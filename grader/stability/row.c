@@ -1,15 +1,31 @@
 #include "row.h"
 
 #include "check.h"
+#include "strip.h"
 
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 const Row *row_find(int number) {
-    static const Row *const lists[] = {rows_bias,   rows_kernel, rows_contact, rows_frame,
-                                       rows_motion, rows_planes, rows_closed,  rows_stencil,
-                                       rows_fill,   rows_bake,   rows_screen,  rows_later};
+    static const Row *const lists[] = {
+        rows_bias,       // 1 to 3
+        rows_kernel,     // 4, 5
+        rows_contact,    // 6 to 8
+        rows_frame,      // 9 to 11
+        rows_depth,      // 12
+        rows_resolution, // 13, 14
+        rows_filter,     // 15, 16
+        rows_early_out,  // 17
+        rows_motion,     // 18
+        rows_planes,     // 19 to 22
+        rows_closed,     // 23 to 25
+        rows_stencil,    // 26
+        rows_fill,       // 27
+        rows_bake,       // 28
+        rows_screen,     // 29
+        rows_later,      // 30, 31
+    };
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         for (const Row *row = lists[i]; row->number; row++)
             if (row->number == number)
@@ -24,45 +40,19 @@ Figure *findings_figure(Findings *findings, const char *title, const char *x_lab
     return figure;
 }
 
-static uint8_t grey(float visibility) {
-    return (uint8_t)(visibility * 255 + 0.5f);
-}
-
-// The three pixels of the strip for one of the ground.
-static void paint(uint8_t *yours, uint8_t *truth, uint8_t *error, float measured, float expected,
-                  bool counts) {
-    static const float light[3] = {255, 208, 32}, shadow[3] = {48, 112, 255};
-    float seen = isfinite(measured) ? measured : 0, off = seen - expected;
-    memset(yours, grey(seen), 3);
-    memset(truth, grey(expected), 3);
-    for (int c = 0; c < 3; c++) {
-        float color = off > 0 ? light[c] : shadow[c], base = 40 + 30 * expected;
-        error[c] = (uint8_t)(counts ? base + fabsf(off) * (color - base) : 0);
-    }
-    yours[3] = truth[3] = error[3] = 255;
-}
-
 void findings_frame(Findings *findings, int slot, double badness, const Ground *ground,
                     const Measured *measured, const char *caption, ...) {
     RowFrame *frame = &findings->frames[slot];
     if (frame->strip.rgba && badness <= frame->badness)
         return;
-    int width = ground->size.width, height = ground->size.height;
     image_destroy(&frame->strip);
-    if (!image_create(&frame->strip, 3 * width, height))
+    if (!strip_create(&frame->strip, ground, measured))
         return; // a picture less: the verdict does not depend on it
     va_list arguments;
     va_start(arguments, caption);
     vsnprintf(frame->caption, sizeof frame->caption, caption, arguments);
     va_end(arguments);
     frame->badness = badness;
-    for (int y = 0; y < height; y++)
-        for (int x = 0; x < width; x++) {
-            size_t at = (size_t)y * (size_t)width + (size_t)x;
-            uint8_t *row = frame->strip.rgba + image_at(&frame->strip, x, y);
-            paint(row, row + 4 * width, row + 8 * width, measured->visibility[at], ground->visibility[at],
-                  measured->mask[at]);
-        }
 }
 
 void findings_destroy(Findings *findings) {
@@ -71,21 +61,29 @@ void findings_destroy(Findings *findings) {
     *findings = (Findings){0};
 }
 
-RowStatus row_judge(const Row *row, bool ran, const Findings *findings, CurveVerdict *worst,
-                    const Curve **curve) {
-    *worst = (CurveVerdict){.share = -1};
-    *curve = NULL;
-    for (int f = 0; f < findings->figure_count; f++)
-        for (int c = 0; c < findings->figures[f].count; c++) {
-            CurveVerdict verdict = curve_judge(&findings->figures[f].curves[c]);
-            if (verdict.share > worst->share) {
-                *worst = verdict;
-                *curve = &findings->figures[f].curves[c];
+static void find_worst(RowResult *result) {
+    result->worst.share = -1;
+    for (int f = 0; f < result->findings.figure_count; f++)
+        for (int c = 0; c < result->findings.figures[f].count; c++) {
+            const Curve *curve = &result->findings.figures[f].curves[c];
+            CurveVerdict verdict = curve_judge(curve);
+            if (verdict.share > result->worst.share) {
+                result->worst = verdict;
+                result->curve = curve;
             }
         }
+}
+
+void row_run(RowResult *result, const Row *row, Bench *bench) {
+    *result = (RowResult){.row = row, .status = ROW_NOT_BUILT};
+    check_clear();
     if (!row->run)
-        return ROW_NOT_BUILT;
-    return ran && *curve && worst->holds ? ROW_PASS : ROW_FAIL;
+        return;
+    bool ran = row->run(bench, &result->findings);
+    if (!ran)
+        snprintf(result->message, sizeof result->message, "%s", check_message());
+    find_worst(result);
+    result->status = ran && result->curve && result->worst.holds ? ROW_PASS : ROW_FAIL;
 }
 
 const char *row_status_name(RowStatus status) {

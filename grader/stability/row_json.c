@@ -1,5 +1,7 @@
 #include "row_json.h"
 
+#include "plot.h"
+
 #include <math.h>
 #include <stdio.h>
 
@@ -34,36 +36,28 @@ static json_t *figure_json(const Figure *figure) {
                      figure->y_label, "log_x", figure->log_x, "log_y", figure->log_y, "curves", curves);
 }
 
-void row_frame_name(char name[64], const Row *row, int slot) {
-    snprintf(name, 64, "stability-%02d-%d.png", row->number, slot);
-}
-
-static json_t *frames_json(const Row *row, const Findings *findings) {
+static json_t *frames_json(const Findings *findings) {
     json_t *frames = json_array();
-    char name[64];
     for (int i = 0; i < ROW_FRAMES; i++)
-        if (findings->frames[i].strip.rgba) {
-            row_frame_name(name, row, i);
-            json_array_append_new(
-                frames, json_pack("{s:s, s:s}", "caption", findings->frames[i].caption, "file", name));
-        }
+        if (findings->frames[i].strip.rgba)
+            json_array_append_new(frames, json_string(findings->frames[i].caption));
     return frames;
 }
 
-json_t *row_json(const Row *row, const Findings *findings, const char *message) {
-    CurveVerdict worst;
-    const Curve *curve;
-    RowStatus status = row_judge(row, !message, findings, &worst, &curve);
+json_t *row_json(const RowResult *result) {
+    const Row *row = result->row;
+    const Findings *findings = &result->findings;
     json_t *figures = json_array();
-    char figure[64];
-    snprintf(figure, sizeof figure, "stability-%02d.svg", row->number);
+    char figure[PLOT_NAME];
+    plot_name(figure, row);
     for (int i = 0; i < findings->figure_count; i++)
         json_array_append_new(figures, figure_json(&findings->figures[i]));
-    return json_pack("{s:i, s:s, s:s, s:s, s:s, s:s, s:s, s:s?, s:s?, s:o, s:o, s:s?, s:o, s:o}", "id",
-                     row->number, "name", row->name, "method", row->method, "status", row_status_name(status),
-                     "sweep", row->sweep, "why", row->expected, "source", row->source, "message", message,
-                     "curve", curve ? curve->name : NULL, "measured",
-                     curve ? number(worst.measured) : json_null(), "expected",
-                     curve ? number(worst.expected) : json_null(), "figure", curve ? figure : NULL, "figures",
-                     figures, "frames", frames_json(row, findings));
+    return json_pack(
+        "{s:i, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s?, s:o, s:o, s:s?, s:o, s:o}", "id", row->number, "name",
+        row->name, "method", row->method, "status", row_status_name(result->status), "sweep", row->sweep,
+        "why", row->expected, "source", row->source, "message", result->message, "curve",
+        result->curve ? result->curve->name : NULL, "measured",
+        result->curve ? number(result->worst.measured) : json_null(), "expected",
+        result->curve ? number(result->worst.expected) : json_null(), "figure",
+        findings->figure_count ? figure : NULL, "figures", figures, "frames", frames_json(findings));
 }

@@ -95,10 +95,41 @@ static bool sweep_factor(Bench *bench, Findings *findings, Curve *curve, double 
     return ok;
 }
 
-static bool run_polygon_offset(Bench *bench, Findings *findings) {
-    Figure *figure = findings_figure(findings, "Polygon offset on a steep wall", "factor", share);
-    return sweep_factor(bench, findings, figure_curve(figure, "slope along an axis", CURVE_EQUAL), 0) &&
-           sweep_factor(bench, findings, figure_curve(figure, "slope along the diagonal", CURVE_EQUAL), 45);
+// Lab 04's other slope bias, max(b_s (1 - N.L), b_c), is no match for tan(theta): just enough at 45 degrees,
+// it is too small for steeper and for flatter walls; its floor b_c, just enough at 20 degrees, helps the flat
+// ones only.
+static bool sweep_slope_bias(Bench *bench, Findings *findings, Curve *curve) {
+    enum { MAP = 512 };
+    const double texel = 2 * half_size / MAP, at45 = texel / 2 / (1 - M_SQRT1_2),
+                 at20 = texel / 2 * tan(glm_rad(20));
+    bool ok = true;
+    for (int theta = 8; ok && theta <= 80; theta += 8) {
+        double angle = glm_rad((float)theta), least = texel / 2 * tan(angle);
+        double r = fmax(at45 * (1 - cos(angle)), at20) / least;
+        Probe probe;
+        ok = begin_wall(&probe, bench, theta, 0);
+        probe_knob(&probe, "method", SLOPE);
+        probe_knob(&probe, "map size", MAP);
+        probe_knob(&probe, "slope bias", map_depth(at45));
+        probe_knob(&probe, "bias", map_depth(at20));
+        ok = ok && probe_draw(&probe);
+        if (ok) {
+            curve_add(curve, theta, false_shadow(&probe), tilted_acne(r, 0), r > 1.01 ? 0 : share_tolerance);
+            findings_frame(findings, 1, false_shadow(&probe), &probe.ground, &probe.measured,
+                           "Slope bias by 1 - N.L, light at %d degrees", theta);
+        }
+        probe_end(&probe);
+    }
+    return ok;
+}
+
+static bool run_slope_scaled(Bench *bench, Findings *findings) {
+    Figure *offset = findings_figure(findings, "Polygon offset on a steep wall", "factor", share);
+    Figure *bias = findings_figure(findings, "Bias by 1 - N.L", "light's angle theta (degrees)", share);
+    return sweep_factor(bench, findings, figure_curve(offset, "slope along an axis", CURVE_EQUAL), 0) &&
+           sweep_factor(bench, findings, figure_curve(offset, "slope along the diagonal", CURVE_EQUAL), 45) &&
+           sweep_slope_bias(bench, findings,
+                            figure_curve(bias, "failure: max(b_s (1 - N.L), b_c)", CURVE_EQUAL));
 }
 
 const Row rows_bias[] = {
@@ -112,10 +143,15 @@ const Row rows_bias[] = {
      "share of "
      "a texel that lies deeper than its middle by more than the bias.",
      "closed form", run_constant},
-    {3, "slope-scaled bias", "glPolygonOffset", "the factor, 0 to 2",
-     "As row 2 with r = factor / m along an axis and factor / 2m along the diagonal, m = 1/2 for a nearest "
-     "lookup: "
-     "OpenGL scales by the larger of the two slopes, not by their sum. Nothing from m to 2m on.",
-     "closed form; OpenGL 4.1 core, section 3.6.4 (polygon offset)", run_polygon_offset},
+    {3, "slope-scaled bias", "glPolygonOffset; bias by 1 - N.L",
+     "the factor, 0 to 2; the light's angle, 8 to 80 degrees",
+     "Polygon offset: as row 2 with r = factor / m along an axis and factor / 2m along the diagonal, m = 1/2 "
+     "for a nearest "
+     "lookup: OpenGL scales by the larger of the two slopes, not by their sum. Nothing from m to 2m on. A "
+     "bias by 1 - N.L "
+     "does not follow tan(theta): enough at one angle, it leaves acne on steeper and on flatter walls; a "
+     "floor helps the "
+     "flat ones only.",
+     "closed form; OpenGL 4.1 core, section 3.6.4 (polygon offset)", run_slope_scaled},
     {0},
 };

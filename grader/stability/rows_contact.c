@@ -252,13 +252,15 @@ const Row rows_contact[] = {
      "leaves no gap.",
      "closed form", run_gap},
     {8, "thin casters", "front-face culling", "a closed board's thickness towards 0; then a single quad",
-     "A constant bias b lights the dark side of a board as soon as its thickness along the light is less "
-     "than b, by "
-     "b sin(theta) less the thickness. With the front faces culled the map holds the dark side itself, and "
-     "nothing leaks "
-     "however thin a closed board is. But a single quad has one face only: culled with it goes its whole "
-     "shadow, and only "
-     "a map without culling holds it from both sides (at the price of acne again).",
+     "A constant bias b lights the wall as far as b sin(theta) from the board's lit face. Under a thick "
+     "board that is out "
+     "of sight; it shows on the dark side as soon as the board's thickness along the light is less than b. "
+     "With the front "
+     "faces culled the map holds the dark side itself, and nothing leaks however thin a closed board is. But "
+     "a single quad "
+     "has one face only: culled with it goes its whole shadow, and only a map without culling holds it from "
+     "both sides (at "
+     "the price of acne again).",
      "closed form", run_front_faces},
     {0},
 };
