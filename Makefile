@@ -14,7 +14,7 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
-TOOLS := grade frame skeletons prove bench_frames bench_truth stability
+TOOLS := grade frame skeletons prove scenes bench_frames bench_truth stability
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
@@ -53,7 +53,7 @@ skeletons: build ## make labs/ from solutions/
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@grader/pictures $(LAB)
 
-table: build ## prove the rubrics and put the table into grader/README.md
+table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@grader/table
 
 test: build $(BUILD)/stability $(TESTS) ## run all tests

@@ -38,3 +38,14 @@ void hand_light(Scene *scene, LightKind kind, vec3s position, vec3s target, floa
                                                   .near_plane = near_plane,
                                                   .far_plane = far_plane};
 }
+
+void hand_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn) {
+    hand_add(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), turn);
+    mat4s *placed = &scene->objects[scene->object_count - 1].world_from_object;
+    *placed = glms_rotate(*placed, glm_rad(90), vec3_make(1, 0, 0));
+    *placed = glms_scale(*placed, vec3_make(half_width, 1, half_height));
+}
+
+double hand_beside_wall(double x, double h) {
+    return (1 - x / sqrt(x * x + h * h)) / 2;
+}

@@ -17,6 +17,14 @@ const Row *row_find(int number) {
         rows_resolution, // 13, 14
         rows_filter,     // 15, 16
         rows_early_out,  // 17
+        rows_motion,     // 18
+        rows_planes,     // 19 to 22
+        rows_closed,     // 23 to 25
+        rows_stencil,    // 26
+        rows_fill,       // 27
+        rows_bake,       // 28
+        rows_screen,     // 29
+        rows_later,      // 30, 31
         NULL,
     };
     for (int i = 0; lists[i]; i++)

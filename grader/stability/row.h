@@ -39,6 +39,14 @@ extern const Row rows_depth[];      // rows_depth.c: how many bits a depth needs
 extern const Row rows_resolution[]; // rows_resolution.c: the size of a texel
 extern const Row rows_filter[];     // rows_filter.c: soft edges
 extern const Row rows_early_out[];  // rows_early_out.c: what an early-out misses
+extern const Row rows_motion[];     // rows_motion.c: a shadow map that moves
+extern const Row rows_planes[];     // rows_planes.c: what cuts shadow volumes
+extern const Row rows_closed[];     // rows_closed.c: what a volume needs of its caster
+extern const Row rows_stencil[];    // rows_stencil.c: how far eight bits of stencil count
+extern const Row rows_fill[];       // rows_fill.c: what counting costs
+extern const Row rows_bake[];       // rows_bake.c: ambient occlusion by rays
+extern const Row rows_screen[];     // rows_screen.c: ambient occlusion from the picture
+extern const Row rows_later[];      // rows_later.c: methods that no lab has yet
 
 // The row with this number; NULL when there is none.
 const Row *row_find(int number);
