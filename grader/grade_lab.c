@@ -177,6 +177,21 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     return ok;
 }
 
+// What the lab prints, for who debugs in this way; the first lines are enough.
+static void note_output(LabResult *result, const char *printed) {
+    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
+    char text[MAX_TEXT + 64] = "it printed:";
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+        end += strcspn(end, "\n");
+        end += *end == '\n';
+    }
+    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
+    if (printed[0])
+        add_warning(result, text);
+}
+
 static bool examine(LabResult *result, Examiner *examiner, Client *student, const GradeOptions *options) {
     client_start(student);
     Exam *exam = examiner_exam(examiner, options);
@@ -184,6 +199,7 @@ static bool examine(LabResult *result, Examiner *examiner, Client *student, cons
         return false;
     client_begin(student);
     grade_frames(result, exam, student, options->untimed ? NULL : exam->roster);
+    note_output(result, student->process.text);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 
