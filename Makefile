@@ -6,6 +6,7 @@ BUILD ?= build
 CFLAGS ?= -O2 -g
 SANITIZE ?=
 LAB ?=
+override LAB := $(if $(filter 1 2 3 4 5 6 7 8 9,$(LAB)),0)$(LAB)
 SUBMISSION ?= labs
 ARGS ?=
 
@@ -14,10 +15,11 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
-TOOLS := grade frame skeletons prove bench_frames bench_truth
-WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
+# Those that are there: the student's kit does without some.
+TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record bench_frames bench_truth)))
+WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view capture)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
-	$(wildcard grader/*.c)))
+	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
 ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion test_truth_lab)
@@ -27,6 +29,9 @@ JAIL := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/*.c))
 INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
 STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-static)
 GRADER += $(JAIL)
+# The study: labs measured against the truth.
+STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
+ON_STUDY := $(patsubst %,$(BUILD)/%,test_truth_lab)
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -34,17 +39,29 @@ NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_e
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 
-build: $(BUILD)/worker $(INSIDE) $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+# The watch: a program of several files.
+WATCH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/watch/*.c))
+
+build: $(BUILD)/worker $(BUILD)/watch $(INSIDE) $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
-	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
+	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(if $(filter labs,$(SUBMISSION)),--record) $(ARGS) $(SUBMISSION)
+
+watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress: make watch [LAB=03]
+	@$(BUILD)/watch $(if $(LAB),--lab $(LAB)) $(ARGS)
+
+progress: $(BUILD)/watch ## how far am I in all labs?
+	@$(BUILD)/watch --list
 
 demo: build ## grade the labs as shipped, then the solutions
 	$(BUILD)/grade labs || true
 	$(BUILD)/grade solutions
 
-hint: build ## show the hints of a task: make hint TASK=3.2
+hint: ## show the hints of a task: make hint TASK=3.2
 	@grader/hint $(TASK)
+
+trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame debugger: make trace LAB=03 [TOOL=renderdoc] [SCENE="far floor"]
+	@TOOL="$(TOOL)" SCENE="$(SCENE)" grader/trace $(LAB)
 
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
@@ -74,7 +91,13 @@ bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and t
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
-reset: ## put a lab of labs/ back to the skeleton: make reset LAB=03
+kit: build ## pack the kit for students, without solutions: build/shadow-lab-kit.tar.gz [LAB=03: can grade only that]
+	@grader/make_kit $(BUILD) $(LAB)
+
+gradescope: ## pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]
+	@grader/make_gradescope $(BUILD) $(LAB)
+
+reset: $(filter $(BUILD)/skeletons,$(TOOLS:%=$(BUILD)/%)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@grader/reset $(LAB)
 
 clean: ## remove what was built
@@ -94,6 +117,7 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(ON_TRUTH): $(TRUTH)
+$(ON_STUDY): $(STUDY)
 $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
@@ -120,10 +144,12 @@ $(BUILD)/jail_unpack: $(call inside,unpack)
 	$(CC) -o $@ $^ -larchive
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
+$(BUILD)/watch: $(WATCH) $(GRADER) $(NO_GL)
+	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o $(GRADER) $(NO_GL)
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: test-hostile sanitize build grade demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: test-hostile kit gradescope sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

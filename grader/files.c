@@ -122,6 +122,69 @@ bool files_write(const char *path, const char *text) {
     return ok || check_fail("%s cannot be written: %s", path, strerror(errno));
 }
 
+static bool write_synced(int descriptor, const char *text) {
+    size_t size = strlen(text), done = 0;
+    while (done < size) {
+        ssize_t n = write(descriptor, text + done, size - done);
+        if (n < 0 && errno != EINTR)
+            return false;
+        done += n > 0 ? (size_t)n : 0;
+    }
+    return fsync(descriptor) == 0;
+}
+
+static void folder_of(char folder[FILES_PATH], const char *path) {
+    const char *slash = strrchr(path, '/');
+    if (slash)
+        snprintf(folder, FILES_PATH, "%.*s", (int)(slash - path + 1), path);
+    else
+        snprintf(folder, FILES_PATH, "./");
+}
+
+// The name of a file outlives a loss of power only when its folder was synced, too.
+static bool sync_folder(const char *folder) {
+    int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    bool ok = descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL);
+    if (descriptor >= 0)
+        close(descriptor);
+    return ok;
+}
+
+static bool put(const char *aside, const char *path, bool replace) {
+    if (replace)
+        return rename(aside, path) == 0;
+    bool ok = link(aside, path) == 0 || errno == EEXIST;
+    unlink(aside);
+    return ok;
+}
+
+bool files_write_whole(const char *path, const char *text, bool replace) {
+    char folder[FILES_PATH], aside[FILES_PATH];
+    folder_of(folder, path);
+    files_join(aside, folder, FILES_NEW "XXXXXX");
+    int descriptor = mkostemp(aside, O_CLOEXEC);
+    bool ok = descriptor >= 0 && fchmod(descriptor, 0644) == 0 && write_synced(descriptor, text);
+    if (descriptor >= 0 && close(descriptor) != 0)
+        ok = false;
+    ok = ok && put(aside, path, replace) && sync_folder(folder);
+    if (!ok) {
+        check_fail("%s cannot be written: %s", path, strerror(errno));
+        unlink(aside);
+    }
+    return ok;
+}
+
+static void forget_new(const char *name, void *context) {
+    char path[FILES_PATH];
+    files_join(path, context, name);
+    if (strncmp(name, FILES_NEW, strlen(FILES_NEW)) == 0)
+        unlink(path);
+}
+
+void files_forget_new(const char *folder) {
+    files_list(folder, forget_new, (void *)folder);
+}
+
 bool files_exists(const char *path) {
     return access(path, F_OK) == 0;
 }

@@ -21,6 +21,16 @@ bool files_take(const char *folder, const char *name, const char *path, size_t l
 
 // Replaces the file. False with a message.
 bool files_write(const char *path, const char *text);
+
+// Writes a file that is there whole or not at all, whatever happens meanwhile. A file that is there is
+// replaced, or left as it is when not `replace`. False with a message.
+bool files_write_whole(const char *path, const char *text, bool replace);
+
+// How the names of files begin that files_write_whole has not finished.
+#define FILES_NEW ".new-"
+
+// Removes those of them that a killed process left in the folder.
+void files_forget_new(const char *folder);
 bool files_exists(const char *path);
 
 // A new private folder under the system's temporary folder; its path is absolute and without links.

@@ -28,8 +28,7 @@ void home_path(char path[FILES_PATH], const char *relative) {
     files_join(path, dirname(root), relative);
 }
 
-// Does an entry's name read "NN-..."?
-static bool is_lab_name(const char *name) {
+bool home_is_lab_name(const char *name) {
     return isdigit((unsigned char)name[0]) && isdigit((unsigned char)name[1]) && name[2] == '-';
 }
 
@@ -41,7 +40,7 @@ typedef struct Search {
 
 static void match(const char *name, void *context) {
     Search *search = context;
-    if (search->found || !is_lab_name(name) || strncmp(name, search->id, 2) != 0)
+    if (search->found || !home_is_lab_name(name) || strncmp(name, search->id, 2) != 0)
         return;
     files_join(search->path, search->parent, name);
     search->found = true;
@@ -52,10 +51,17 @@ bool home_find_lab_in(char path[FILES_PATH], const char *parent, const char *id)
     return files_list(parent, match, &search) && search.found;
 }
 
+// Where the labs' rubrics lie.
+static void labs_folder(char path[FILES_PATH]) {
+    home_path(path, "solutions");
+    if (!files_exists(path))
+        home_path(path, "grader/recorded");
+}
+
 bool home_find_lab(char path[FILES_PATH], const char *id) {
-    char solutions[FILES_PATH];
-    home_path(solutions, "solutions");
-    return home_find_lab_in(path, solutions, id);
+    char labs[FILES_PATH];
+    labs_folder(labs);
+    return home_find_lab_in(path, labs, id);
 }
 
 typedef struct Walk {
@@ -66,12 +72,12 @@ typedef struct Walk {
 static void visit_lab(const char *name, void *context) {
     const Walk *walk = context;
     const char id[3] = {name[0], name[1], '\0'};
-    if (is_lab_name(name))
+    if (home_is_lab_name(name))
         walk->visit(id, walk->context);
 }
 
 bool home_list_labs(void (*visit)(const char *id, void *context), void *context) {
-    char solutions[FILES_PATH];
-    home_path(solutions, "solutions");
-    return files_list(solutions, visit_lab, &(Walk){visit, context});
+    char labs[FILES_PATH];
+    labs_folder(labs);
+    return files_list(labs, visit_lab, &(Walk){visit, context});
 }

@@ -60,8 +60,8 @@ static _Noreturn void run_child(const int *ends, char *const *arguments, char *c
     close_range(REPLY_DESCRIPTOR + 1, ~0u, 0);
     if (limits->stranger)
         leave_us(limits, parent);
-    else
-        setpgid(0, 0);
+    else if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0)
+        _exit(127);
     if (chdir(folder) != 0)
         _exit(127);
     set_limits(limits);

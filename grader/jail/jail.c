@@ -78,7 +78,8 @@ static int lend_entry(const char *path, const struct stat *info, int type, struc
                : -1;
 }
 
-// The user inside gets the folders by his group; the writable one, which is empty, becomes his.
+// The user inside gets the folders by his group; the writable one, which is empty, becomes his. The stage is
+// everybody's already, and its programs must stay so.
 static bool lend(const Jail *jail, const JailPlan *plan) {
     if (!jail->user || strcmp(plan->folder, jail->stage) == 0)
         return true;
