@@ -137,14 +137,15 @@ $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
 $(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
-$(INSIDE): SANITIZE :=
+$(INSIDE): override SANITIZE :=
 $(BUILD)/jail_shim: $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $^ -lseccomp
 # A shim weakened on purpose, for the tests of the self-test.
 WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
-$(WEAK): SANITIZE :=
+$(WEAK): override SANITIZE :=
 $(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/weak_%.o $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $(filter-out %/shim_$*.o,$^) -lseccomp
+$(BUILD)/without: override SANITIZE :=
 $(BUILD)/without: $(BUILD)/grader/tests/without.o
 	$(CC) -o $@ $^ -lseccomp
 $(BUILD)/hostile: $(BUILD)/grader/tests/hostile.o $(GRADER) $(NO_GL)

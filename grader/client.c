@@ -31,7 +31,7 @@ bool client_start(Client *client) {
     char *arguments[] = {worker, (char *)context_name(client->context), client->folder, shaders, NULL};
     char *environment[] = {"LP_NUM_THREADS=0",
                            "LIBGL_ALWAYS_SOFTWARE=1",
-                           "ASAN_OPTIONS=detect_leaks=0",
+                           "ASAN_OPTIONS=detect_leaks=0:disable_coredump=0",
                            "MALLOC_MMAP_THRESHOLD_=1000000000",
                            "MALLOC_TRIM_THRESHOLD_=1000000000",
                            "LC_ALL=C",
