@@ -38,9 +38,12 @@ double result_max_score(const Report *report) {
 }
 
 void result_destroy_lab(LabResult *lab) {
-    for (int c = 0; c < lab->check_count; c++)
+    for (int c = 0; c < lab->check_count; c++) {
         for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
             image_destroy(&lab->checks[c].yours[n]);
+        for (int n = 0; n < EVIDENCE_PARTS; n++)
+            image_destroy(&lab->checks[c].evidence[n]);
+    }
 }
 
 void result_clean(char *clean, size_t size, const char *text) {

@@ -8,6 +8,9 @@
 
 enum { RESULT_TEXT = 8000, RESULT_MAX_LABS = 16 };
 
+// Pictures of the worst variant of a failed check; the last is an enlarged crop of the others side by side.
+enum { EVIDENCE_YOURS, EVIDENCE_REFERENCE, EVIDENCE_DIFFERENCE, EVIDENCE_CROP, EVIDENCE_PARTS };
+
 typedef struct CheckResult {
     const Check *check;
     double share; // of the points; the worst variant counts
@@ -17,6 +20,7 @@ typedef struct CheckResult {
     bool has_cause;
     char mistake[256], hint[1500];
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
+    Image evidence[EVIDENCE_PARTS]; // owned; empty when the check passed or nobody asked for it
 } CheckResult;
 
 typedef enum LabStatus { LAB_PASSED, LAB_FAILED, LAB_ERROR, LAB_TIMEOUT } LabStatus;
