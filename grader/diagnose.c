@@ -98,6 +98,8 @@ static void name_kind(CheckResult *check, int c, Exam *exam) {
         error_kind(text, sizeof text, &check->yours[check->worst],
                    &exam->variants[c][check->worst].reference);
     name_cause(check, text, rubric_hint(exam->rubric, task ? task : check->check->task, 0));
+    check->undone = task != NULL;
+    check->cause_task = task;
 }
 
 static void explain(CheckResult *check, int c, const Distances *distances, int common, Exam *exam) {
@@ -110,8 +112,10 @@ static void explain(CheckResult *check, int c, const Distances *distances, int c
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task,
                  alone ? "" : " or one before it");
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
+        check->undone = true;
     } else if (own >= 0 && (common >= 0 || !error_kind_is_plain(&check->yours[check->worst]))) {
         name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
+        check->cause_task = rubric->mistakes[own].task;
     } else {
         name_kind(check, c, exam);
     }

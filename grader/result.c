@@ -23,6 +23,13 @@ Touch result_touch(const CheckResult *check, const Variant *variants) {
     return to_without == 0 ? TOUCH_TASK_MISSING : to_skeleton == 0 ? TOUCH_AS_SKELETON : TOUCH_CHANGED;
 }
 
+bool result_done(const LabResult *lab) {
+    for (int c = 0; c < lab->check_count; c++)
+        if (!lab->checks[c].passed && !lab->checks[c].check->optional)
+            return false;
+    return !lab->message[0];
+}
+
 double result_score(const Report *report) {
     double score = 0;
     for (int i = 0; i < report->lab_count; i++)
