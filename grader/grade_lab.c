@@ -174,8 +174,8 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
     Ignored ignored = {rubric, result, 0};
-    bool ok = files_list(submission, note_ignored, &ignored) &&
-              derive_submission(student->folder, rubric, submission, log);
+    bool ok = files_is_folder(submission) && files_list(submission, note_ignored, &ignored) &&
+              derive_submission(student->folder, rubric, submission, student->jail, log);
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
         fail_lab(result, LAB_ERROR, text);
@@ -192,13 +192,16 @@ static bool examine(LabResult *result, Examiner *examiner, Client *student, cons
     if (!exam)
         return false;
     client_begin(student);
-    grade_frames(result, exam, student, exam->roster);
+    grade_frames(result, exam, student, options->untimed ? NULL : exam->roster);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 
 bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options) {
     static Client student;
-    student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
+    student = (Client){.trust = TRUST_NOBODY,
+                       .jail = options->jail,
+                       .context = options->context,
+                       .seconds = options->seconds};
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;

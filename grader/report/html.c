@@ -119,8 +119,9 @@ char *report_html(const Report *report, const char *name) {
     Page page;
     if (!page_begin(&page, name[0] ? name : "Shadow Lab"))
         return NULL;
-    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"faint\">(seed %llu, %s, ", result_score(report),
+    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"faint\">(seed %llu, %s", result_score(report),
             result_max_score(report), (unsigned long long)report->seed, report->context);
+    fputs(report->renderer[0] ? ", " : "", page.out);
     page_text(&page, report->renderer);
     fputs(")</span></p>\n", page.out);
     for (int i = 0; i < report->lab_count; i++)
