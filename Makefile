@@ -85,6 +85,9 @@ check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)
 
+bench-class: build ## labs a minute of a class run, cold and known shaders, and how it grows: ARGS="--labs 05 --counts 50,800"
+	@grader/bench_class $(BUILD) $(ARGS)
+
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
@@ -131,6 +134,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: kit gradescope sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: bench-class kit gradescope sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
