@@ -72,8 +72,11 @@ pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 table: build ## prove the rubrics and put the table into grader/README.md
 	@grader/table
 
-test: build $(TESTS) ## run all tests
+test: build $(TESTS) $(BUILD)/without $(BUILD)/hostile ## run all tests
 	@grader/tests/run $(BUILD)
+
+test-hostile: build $(BUILD)/without $(BUILD)/hostile ## attacks on the grader, by both routes into the jail (part of test)
+	@BUILD=$(BUILD) grader/tests/test_hostile.sh
 
 sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
 	@$(MAKE) --no-print-directory BUILD=build-sanitize CFLAGS="-O1 -g" \
@@ -85,20 +88,27 @@ check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)
 
+.PHONY: bench-class
 bench-class: build ## labs a minute of a class run, cold and known shaders, and how it grows: ARGS="--labs 05 --counts 50,800"
 	@grader/bench_class $(BUILD) $(ARGS)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
-reset: $(BUILD)/skeletons ## put a lab of labs/ back to the skeleton: make reset LAB=03
+kit: build ## pack the kit for students, without solutions: build/shadow-lab-kit.tar.gz [LAB=03: can grade only that]
+	@grader/make_kit $(BUILD) $(LAB)
+
+gradescope: ## pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]
+	@grader/make_gradescope $(BUILD) $(LAB)
+
+reset: $(filter $(BUILD)/skeletons,$(TOOLS:%=$(BUILD)/%)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@grader/reset $(LAB)
 
 clean: ## remove what was built
 	rm -rf $(BUILD)
 
 help: ## list the targets
-	@grep -hE '^[a-z_.]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z_.]+):.*## /\1\t/' | expand -t 24
+	@grep -hE '^[a-z_.-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z_.-]+):.*## /\1\t/' | expand -t 24
 
 $(BUILD)/include/glad/gl.h:
 	glad --quiet --reproducible --out-path $(BUILD)/glad --api gl:core=4.1 --extensions '' c --debug
@@ -122,6 +132,16 @@ inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
 $(INSIDE): SANITIZE :=
 $(BUILD)/jail_shim: $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $^ -lseccomp
+# A shim weakened on purpose, for the tests of the self-test.
+WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
+$(WEAK): SANITIZE :=
+$(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/weak_%.o $(call inside,shim)
+	$(CC) $(STATIC) -o $@ $(filter-out %/shim_$*.o,$^) -lseccomp
+$(BUILD)/without: $(BUILD)/grader/tests/without.o
+	$(CC) -o $@ $^ -lseccomp
+$(BUILD)/hostile: $(BUILD)/grader/tests/hostile.o $(GRADER) $(NO_GL)
+	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
+$(BUILD)/test_jail: | $(WEAK)
 $(BUILD)/jail_probe: $(call inside,probe) $(call inside,attack)
 	$(CC) -o $@ $^ -lpthread -lrt
 $(BUILD)/jail_unpack: $(call inside,unpack)
@@ -134,6 +154,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: bench-class kit gradescope sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: test-hostile kit gradescope sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -17,6 +17,10 @@ static const bool limits_memory = false; // the sanitizer reserves terabytes of 
 static const bool limits_memory = true;
 #endif
 
+static double wall_seconds(const Client *client) {
+    return client->seconds * (client->patience > 0 ? client->patience : 1);
+}
+
 bool client_start(Client *client) {
     char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
     jail_part(client->jail, "worker", worker);
@@ -36,7 +40,7 @@ bool client_start(Client *client) {
     JailPlan plan = {
         .kind = JAIL_DRAW, .limits = {.wall_seconds = 3600}, .folder = ours ? "/" : client->folder};
     if (!ours)
-        plan.limits = (ProcessLimits){.wall_seconds = client->seconds,
+        plan.limits = (ProcessLimits){.wall_seconds = wall_seconds(client),
                                       .cpu_seconds = (unsigned)client->seconds + 1,
                                       .memory_mib = limits_memory ? MEMORY_MIB : 0,
                                       .file_mib = 1};
@@ -110,7 +114,7 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
 
 void client_begin(Client *client) {
     if (client->started && client->trust == TRUST_NOBODY)
-        client->process.deadline = process_now() + client->seconds;
+        client->process.deadline = process_now() + wall_seconds(client);
 }
 
 void client_stop(Client *client) {

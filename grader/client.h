@@ -20,7 +20,8 @@ typedef struct Client {
     Trust trust;
     const Jail *jail; // for a submission; NULL: its own author grades it, outside
     ContextKind context;
-    double seconds; // wall and processor time that a submission may use
+    double seconds;  // processor time that a submission may use
+    double patience; // wall time that it may use, in units of that; 0: 1
     bool started;
     Process process;
 } Client;

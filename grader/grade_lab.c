@@ -3,6 +3,7 @@
 #include "check.h"
 #include "derive.h"
 #include "diagnose.h"
+#include "recorded.h"
 #include "report/evidence.h"
 #include "score.h"
 
@@ -158,11 +159,7 @@ static void note_ignored(const char *name, void *context) {
     for (int i = 0; i < ignored->rubric->file_count; i++)
         if (strcmp(ignored->rubric->files[i], name) == 0)
             return;
-    char ours[FILES_PATH];
-    files_join(ours, ignored->rubric->folder, name);
-    if (strlen(name) < 200 && files_exists(ours))
-        return; // part of the handout
-    if (++ignored->count > 8)
+    if (recorded_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
         return;
     char text[400];
     snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
@@ -201,7 +198,8 @@ bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, co
     student = (Client){.trust = TRUST_NOBODY,
                        .jail = options->jail,
                        .context = options->context,
-                       .seconds = options->seconds};
+                       .seconds = options->seconds,
+                       .patience = options->patience};
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;

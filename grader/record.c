@@ -1,6 +1,6 @@
-// record OUTPUT SEED...: records the exams of all labs for these seeds, for the student's kit (see
-// recorded.h): what is drawn, the rubrics, the hints, and the mistakes' names and hints, but nothing of how
-// they are made.
+// record [--lab NN] OUTPUT SEED...: records the exams of all labs (or one) for these seeds, for the student's
+// kit (see recorded.h): what is drawn, the rubrics, the hints, and the mistakes' names and hints, but nothing
+// of how they are made.
 #include "check.h"
 #include "examiner.h"
 #include "home.h"
@@ -80,15 +80,24 @@ static bool are_numbers(char **texts) {
     return true;
 }
 
+static bool record_all(const char *lab, const char *output, char **seeds) {
+    Recording recording = {output, seeds, true};
+    if (lab)
+        record_lab(lab, &recording);
+    else if (!home_list_labs(record_lab, &recording))
+        return false;
+    return recording.ok && write_json(output, "seeds.json", list_seeds(seeds));
+}
+
 int main(int count, char **arguments) {
-    if (count < 3 || !are_numbers(arguments + 2)) {
-        fputs("usage: build/record OUTPUT SEED...\n", stderr);
+    bool one = count > 2 && strcmp(arguments[1], "--lab") == 0;
+    int first = one ? 3 : 1;
+    if (count < first + 2 || !are_numbers(arguments + first + 1)) {
+        fputs("usage: build/record [--lab NN] OUTPUT SEED...\n", stderr);
         return 2;
     }
     signal(SIGPIPE, SIG_IGN);
-    Recording recording = {arguments[1], arguments + 2, true};
-    bool ok = home_list_labs(record_lab, &recording) && recording.ok &&
-              write_json(arguments[1], "seeds.json", list_seeds(arguments + 2));
+    bool ok = record_all(one ? arguments[2] : NULL, arguments[first], arguments + first + 1);
     if (!ok)
         fprintf(stderr, "record: %s\n", check_message());
     return ok ? 0 : 1;

@@ -32,6 +32,19 @@ bool recorded_choose(uint64_t random, uint64_t *seed) {
     return text || check_fail("%s cannot be read", path);
 }
 
+bool recorded_is_handed_out(const Rubric *rubric, const char *name) {
+    char folder[FILES_PATH], path[FILES_PATH];
+    if (strlen(name) > 200)
+        return false;
+    snprintf(folder, sizeof folder, "%s", rubric->folder);
+    if (recorded_only()) {
+        home_path(path, "grader/recorded/labs");
+        files_join(folder, path, strrchr(rubric->folder, '/') + 1);
+    }
+    files_join(path, folder, name);
+    return files_exists(path);
+}
+
 static void place(char path[FILES_PATH], const char *folder, uint64_t seed, const char *end) {
     char name[64];
     snprintf(name, sizeof name, "exam-%llu%s", (unsigned long long)seed, end);

@@ -14,6 +14,15 @@ static void cell(Page *page, const char *text) {
     fputs("</td>", page->out);
 }
 
+// Begins a table that can be scrolled by itself on a narrow screen. `label` says what it holds.
+static void begin_table(Page *page, const char *label) {
+    fprintf(page->out, "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"%s\"><table>", label);
+}
+
+static void end_table(Page *page) {
+    fputs("</tbody></table></div>\n", page->out);
+}
+
 // A bar beside its number; `most` is as long as a bar gets.
 static void bar_cell(Page *page, int value, int most) {
     fprintf(page->out, "<td class=\"number\">%d</td><td aria-hidden=\"true\">", value);
@@ -27,11 +36,14 @@ static int by_value(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static void write_bins(Page *page, const int *bins) {
+static void write_bins(Page *page, const char *lab, const int *bins) {
+    char label[40];
     int most = 1;
     for (int b = 0; b <= BINS; b++)
         most = bins[b] > most ? bins[b] : most;
-    fputs("<table><thead><tr><th scope=\"col\">% of the points</th><th scope=\"col\" "
+    snprintf(label, sizeof label, "Distribution of lab %s", lab);
+    begin_table(page, label);
+    fputs("<thead><tr><th scope=\"col\">% of the points</th><th scope=\"col\" "
           "class=\"number\">submissions</th><td>"
           "</td></tr></thead><tbody>\n",
           page->out);
@@ -44,7 +56,7 @@ static void write_bins(Page *page, const int *bins) {
         bar_cell(page, bins[b], most);
         fputs("</tr>\n", page->out);
     }
-    fputs("</tbody></table>\n", page->out);
+    end_table(page);
 }
 
 static void write_distribution(Page *page, const Table *table, int n) {
@@ -69,7 +81,7 @@ static void write_distribution(Page *page, const Table *table, int n) {
         fprintf(page->out,
                 "</h3>\n<p>%d of %d passed; of %.0f points the median is %.2f, the mean %.2f.</p>\n", passed,
                 count, maximum, (scores[count / 2] + scores[(count - 1) / 2]) / 2, sum / count);
-        write_bins(page, bins);
+        write_bins(page, table->plan->labs[n], bins);
     }
     free(scores);
 }
@@ -128,13 +140,13 @@ static void write_causes(Page *page, const Table *table) {
     char name[256];
     count_causes(&causes, table);
     fputs("<h2>The commonest mistakes</h2>\n", page->out);
-    if (causes.count == 0)
+    if (causes.count == 0) {
         fputs("<p>None.</p>\n", page->out);
-    fputs(causes.count
-              ? "<table><thead><tr><th scope=\"col\">lab</th><th scope=\"col\">task</th><th "
-                "scope=\"col\">mistake</th><th scope=\"col\" class=\"number\">submissions</th><td></td></tr>"
-                "</thead><tbody>\n"
-              : "",
+        return;
+    }
+    begin_table(page, "The commonest mistakes");
+    fputs("<thead><tr><th scope=\"col\">lab</th><th scope=\"col\">task</th><th scope=\"col\">mistake</th><th "
+          "scope=\"col\" class=\"number\">submissions</th><td></td></tr></thead><tbody>\n",
           page->out);
     for (int i = 0; i < causes.count && i < SHOWN_CAUSES; i++) {
         fputs("<tr>", page->out);
@@ -145,7 +157,7 @@ static void write_causes(Page *page, const Table *table) {
         bar_cell(page, causes.list[i].submissions, causes.list[0].submissions);
         fputs("</tr>\n", page->out);
     }
-    fputs(causes.count ? "</tbody></table>\n" : "", page->out);
+    end_table(page);
 }
 
 static void write_link(Page *page, const Table *table, int i) {
@@ -159,8 +171,10 @@ static void write_link(Page *page, const Table *table, int i) {
 
 static void look_row(Page *page, const Table *table, int i, const char *lab, const char *what,
                      const char *message) {
-    char first[300];
-    snprintf(first, sizeof first, "%.*s", (int)strcspn(message, "\n"), message);
+    char first[200];
+    snprintf(first, sizeof first, "%s", message);
+    for (char *end; (end = strchr(first, '\n'));)
+        *end = ' ';
     fputs("<tr><td class=\"name\">", page->out);
     write_link(page, table, i);
     fputs("</td>", page->out);
@@ -172,12 +186,12 @@ static void look_row(Page *page, const Table *table, int i, const char *lab, con
 
 static void write_looks(Page *page, const Table *table) {
     fputs("<h2>Who needs a look</h2>\n<p>Not graded for a reason of the grader's, or nothing could be drawn, "
-          "or only a part.</p>\n"
-          "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Who needs a "
-          "look\"><table><thead><tr><th "
-          "scope=\"col\">submission</th><th scope=\"col\">lab</th><th scope=\"col\">status</th><th "
-          "scope=\"col\">message"
-          "</th></tr></thead><tbody>\n",
+          "or only a part.</p>\n",
+          page->out);
+    begin_table(page, "Who needs a look");
+    fputs("<thead><tr><th scope=\"col\">submission</th><th scope=\"col\">lab</th><th "
+          "scope=\"col\">status</th><th "
+          "scope=\"col\">message</th></tr></thead><tbody>\n",
           page->out);
     for (int i = 0; i < table->roll->count; i++) {
         if (!table_is_graded(table, i))
@@ -189,7 +203,7 @@ static void write_looks(Page *page, const Table *table) {
                          table_text(lab, "message"));
         }
     }
-    fputs("</tbody></table></div>\n", page->out);
+    end_table(page);
     if (table->roll->ignored_count == 0)
         return;
     fputs("<p>Ignored in the class's folder, because they are neither folders nor archives, or "
@@ -221,10 +235,9 @@ static void write_row(Page *page, const Table *table, int i) {
 }
 
 static void write_all(Page *page, const Table *table) {
-    fputs("<h2>All submissions</h2>\n<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"All "
-          "submissions\">"
-          "<table><thead><tr><th scope=\"col\" aria-sort=\"ascending\"><button>submission</button></th>",
-          page->out);
+    fputs("<h2>All submissions</h2>\n", page->out);
+    begin_table(page, "All submissions");
+    fputs("<thead><tr><th scope=\"col\" aria-sort=\"ascending\"><button>submission</button></th>", page->out);
     for (int n = 0; n < table->plan->lab_count; n++)
         fprintf(page->out, "<th scope=\"col\" class=\"number\"><button>lab %s</button></th>",
                 table->plan->labs[n]);
@@ -234,7 +247,7 @@ static void write_all(Page *page, const Table *table) {
           page->out);
     for (int i = 0; i < table->roll->count; i++)
         write_row(page, table, i);
-    fputs("</tbody></table></div>\n", page->out);
+    end_table(page);
 }
 
 char *index_page(const Table *table) {

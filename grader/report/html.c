@@ -27,10 +27,13 @@ static void write_check(Page *page, const CheckResult *check) {
 }
 
 static void write_checks(Page *page, const LabResult *lab) {
-    fputs("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table><thead><tr><th "
-          "scope=\"col\">result</th><th scope=\"col\">task</th><th scope=\"col\">check</th><th scope=\"col\" "
-          "class=\"number\">points</th><th scope=\"col\">what is wrong</th></tr></thead><tbody>\n",
-          page->out);
+    fprintf(
+        page->out,
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Checks of lab "
+        "%s\"><table><thead><tr><th "
+        "scope=\"col\">result</th><th scope=\"col\">task</th><th scope=\"col\">check</th><th scope=\"col\" "
+        "class=\"number\">points</th><th scope=\"col\">what is wrong</th></tr></thead><tbody>\n",
+        lab->id);
     for (int c = 0; c < lab->check_count; c++)
         write_check(page, &lab->checks[c]);
     fputs("</tbody></table></div>\n", page->out);

@@ -1,5 +1,5 @@
-// without WHAT... -- COMMAND...: runs the command on a machine that lacks WHAT: landlock, userns. A filter answers its
-// system calls as a kernel without them does. For tests of what the grader does there.
+// without WHAT... -- COMMAND...: runs the command on a machine that lacks WHAT: landlock, userns. A filter
+// answers its system calls as a kernel without them does. For tests of what the grader does there.
 #include <errno.h>
 #include <linux/sched.h>
 #include <seccomp.h>

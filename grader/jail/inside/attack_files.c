@@ -70,11 +70,18 @@ static bool changes_secret(const Target *target) {
            rename(target->secret, target->visible) == 0;
 }
 
+static bool unlink_made(const char *folder) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/shadow-lab-attack", folder);
+    unlink(path);
+    return true;
+}
+
 static bool makes_files(const Target *target) {
     static const char *const folders[] = {"/", "/tmp", "/var/tmp", "/dev/shm", "/run", ".", "/home"};
     for (unsigned i = 0; i < sizeof folders / sizeof folders[0]; i++)
         if (attack_write(folders[i], "shadow-lab-attack"))
-            return true;
+            return unlink_made(folders[i]);
     return !target->tools && attack_write(target->out, "attack");
 }
 

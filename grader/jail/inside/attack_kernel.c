@@ -56,11 +56,17 @@ static bool calls_kernel(const Target *target) {
     return personality(ADDR_NO_RANDOMIZE) != -1;
 }
 
+// What gets through is removed again.
 static bool shares_memory(const Target *target) {
     (void)target;
-    return shmget(IPC_PRIVATE, 4096, IPC_CREAT | 0600) >= 0 || msgget(IPC_PRIVATE, IPC_CREAT | 0600) >= 0 ||
-           shm_open("/shadow-lab-attack", O_CREAT | O_RDWR, 0600) >= 0 ||
-           mq_open("/shadow-lab-attack", O_CREAT | O_RDWR, 0600, NULL) != (mqd_t)-1;
+    int memory = shmget(IPC_PRIVATE, 4096, IPC_CREAT | 0600), queue = msgget(IPC_PRIVATE, IPC_CREAT | 0600);
+    int file = shm_open("/shadow-lab-attack", O_CREAT | O_RDWR, 0600);
+    mqd_t named = mq_open("/shadow-lab-attack", O_CREAT | O_RDWR, 0600, NULL);
+    shmctl(memory, IPC_RMID, NULL);
+    msgctl(queue, IPC_RMID, NULL);
+    shm_unlink("/shadow-lab-attack");
+    mq_unlink("/shadow-lab-attack");
+    return memory >= 0 || queue >= 0 || file >= 0 || named != (mqd_t)-1;
 }
 
 static bool may_gain_privileges(const Target *target) {
