@@ -6,6 +6,7 @@
 #include "progress.h"
 #include "recorded.h"
 #include "report/evidence.h"
+#include "tidy.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -51,6 +52,7 @@ static int grade_submission(Options *options) {
     static Session session;
     static Jail jail;
     Report report = {0};
+    tidy_on_signals();
     bool ok = open_jail(options, &jail);
     session.options = options->grade;
     session.options.evidence = options->output || options->format == REPORT_HTML;
