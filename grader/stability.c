@@ -129,7 +129,9 @@ static int run(Options *options) {
               plot_all(results, count, folder) && write_page(results, count, folder);
     for (int i = 0; i < count; i++)
         findings_destroy(&results[i].findings);
-    if (!ok)
+    if (ok)
+        printf("%d of %d rows fail; see %s/stability.html\n", failed, count, folder);
+    else
         fprintf(stderr, "stability: %s\n", check_message());
     return !ok || failed > 0;
 }
