@@ -11,8 +11,12 @@ Scene hand_wall(float half_size, float distance, float fov_y) {
     return scene;
 }
 
+double hand_radians(double degrees) {
+    return degrees * GLM_PI / 180;
+}
+
 double hand_unit(const Scene *scene, int height) {
-    return 2 * scene->camera.eye.z * tan(scene->camera.fov_y / 2) / height;
+    return 2 * scene->camera.eye.z * tan(0.5 * scene->camera.fov_y) / height;
 }
 
 void hand_add(Scene *scene, Shape shape, vec3s center, vec3s half_size, float turn) {

@@ -7,6 +7,9 @@
 // that one world unit of the wall covers the same number of pixels everywhere. No light yet.
 Scene hand_wall(float half_size, float distance, float fov_y);
 
+// Degrees in radians.
+double hand_radians(double degrees);
+
 // World units of the wall per pixel of a picture `height` pixels high.
 double hand_unit(const Scene *scene, int height);
 

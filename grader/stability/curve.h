@@ -52,6 +52,7 @@ Curve *figure_curve(Figure *figure, const char *name, CurveRule rule);
 // curve is full.
 void curve_add(Curve *curve, double x, double measured, double expected, double tolerance);
 
+// By the curve's rule.
 CurveVerdict curve_judge(const Curve *curve);
 
 // Exponent of the power law through the points, by least squares of the logarithms. NAN where there is none.

@@ -25,8 +25,9 @@ const Row *row_find(int number) {
         rows_bake,       // 28
         rows_screen,     // 29
         rows_later,      // 30, 31
+        NULL,
     };
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+    for (int i = 0; lists[i]; i++)
         for (const Row *row = lists[i]; row->number; row++)
             if (row->number == number)
                 return row;

@@ -101,10 +101,10 @@ static bool sweep_factor(Bench *bench, Findings *findings, Curve *curve, double 
 static bool sweep_slope_bias(Bench *bench, Findings *findings, Curve *curve) {
     enum { MAP = 512 };
     const double texel = 2 * half_size / MAP, at45 = texel / 2 / (1 - M_SQRT1_2),
-                 at20 = texel / 2 * tan(glm_rad(20));
+                 at20 = texel / 2 * tan(hand_radians(20));
     bool ok = true;
     for (int theta = 8; ok && theta <= 80; theta += 8) {
-        double angle = glm_rad((float)theta), least = texel / 2 * tan(angle);
+        double angle = hand_radians(theta), least = texel / 2 * tan(angle);
         double r = fmax(at45 * (1 - cos(angle)), at20) / least;
         Probe probe;
         ok = begin_wall(&probe, bench, theta, 0);
@@ -135,23 +135,18 @@ static bool run_slope_scaled(Bench *bench, Findings *findings) {
 const Row rows_bias[] = {
     {1, "acne and resolution", "shadow map without bias", "map size, 128 to 4096 texels",
      "Half of the wall is in false shadow, however fine the map: in each texel one half lies behind the "
-     "depth of its "
-     "middle.",
+     "depth of its middle.",
      "closed form, by symmetry of the texel", run_map},
     {2, "constant bias", "constant bias", "the bias, as a multiple r of the least one that is enough",
-     "(1 - r) / 2 along an axis of the map, (1 - r)^2 / 2 along its diagonal, and nothing from r = 1 on: the "
-     "share of "
-     "a texel that lies deeper than its middle by more than the bias.",
+     "(1 - r) / 2 along an axis of the map, (1 - r)^2 / 2 along its diagonal, and nothing from r = 1 on: "
+     "the share of a texel that lies deeper than its middle by more than the bias.",
      "closed form", run_constant},
     {3, "slope-scaled bias", "glPolygonOffset; bias by 1 - N.L",
      "the factor, 0 to 2; the light's angle, 8 to 80 degrees",
-     "Polygon offset: as row 2 with r = factor / m along an axis and factor / 2m along the diagonal, m = 1/2 "
-     "for a nearest "
-     "lookup: OpenGL scales by the larger of the two slopes, not by their sum. Nothing from m to 2m on. A "
-     "bias by 1 - N.L "
-     "does not follow tan(theta): enough at one angle, it leaves acne on steeper and on flatter walls; a "
-     "floor helps the "
-     "flat ones only.",
-     "closed form; OpenGL 4.1 core, section 3.6.4 (polygon offset)", run_slope_scaled},
+     "Polygon offset: as row 2 with r = factor / m along an axis and factor / 2m along the diagonal, m = "
+     "1/2 for a nearest lookup: OpenGL scales by the larger of the two slopes, not by their sum. Nothing "
+     "from m to 2m on. A bias by 1 - N.L does not follow tan(theta): enough at one angle, it leaves acne on "
+     "steeper and on flatter walls; a floor helps the flat ones only.",
+     "closed form; OpenGL 4.1 core, Depth Offset", run_slope_scaled},
     {0},
 };

@@ -46,8 +46,8 @@ static bool sweep_tip(Bench *bench, Findings *findings, Figure *figure) {
     bool ok = true;
     for (int angle = 20; ok && angle <= 65; angle += 9) {
         const Scene scene = board(angle, (float)thickness);
-        double slope = tan(glm_rad((float)angle)), length = height * slope;
-        double delta = offset * 2 * half_size / MAP * sin(glm_rad((float)angle));
+        double slope = tan(hand_radians(angle)), length = height * slope;
+        double delta = offset * 2 * half_size / MAP * sin(hand_radians(angle));
         Probe probe;
         ok = begin(&probe, bench, &scene, NORMAL_OFFSET);
         probe_knob(&probe, "normal offset", offset);
@@ -56,7 +56,7 @@ static bool sweep_tip(Bench *bench, Findings *findings, Figure *figure) {
             double foot = thickness / 2 + 0.03, middle = thickness / 2 + length / 2,
                    end = thickness / 2 + length;
             curve_add(tip, angle, lit_length(&probe, middle, end), delta * slope,
-                      length_tolerance(&probe, 1 / cos(glm_rad((float)angle))));
+                      length_tolerance(&probe, 1 / cos(hand_radians(angle))));
             curve_add(gap, angle, lit_length(&probe, foot, middle), 0, 0);
             findings_frame(findings, 1, delta * slope, &probe.ground, &probe.measured,
                            "A board under light at %d degrees, normal offset of %.0f texels", angle, offset);
@@ -126,7 +126,7 @@ static bool measure_gap(Probe *probe, double thickness, double *gap) {
 }
 
 static bool run_gap(Bench *bench, Findings *findings) {
-    const double thickness = 0.04, sine = sin(glm_rad((float)theta)), cosine = cos(glm_rad((float)theta));
+    const double thickness = 0.04, sine = sin(hand_radians(theta)), cosine = cos(hand_radians(theta));
     const Scene scene = board(theta, (float)thickness);
     Figure *figure =
         findings_figure(findings, "Gap at the foot of a board", "bias (world units along the light)",
@@ -155,7 +155,7 @@ static bool run_gap(Bench *bench, Findings *findings) {
 }
 
 static bool sweep_thickness(Bench *bench, Findings *findings, Figure *figure) {
-    const double bias = 0.4, sine = sin(glm_rad((float)theta)), cosine = cos(glm_rad((float)theta));
+    const double bias = 0.4, sine = sin(hand_radians(theta)), cosine = cos(hand_radians(theta));
     Curve *constant = figure_curve(figure, "failure: constant bias of 0.4", CURVE_EQUAL);
     Curve *culled = figure_curve(figure, "remedy: front faces culled", CURVE_EQUAL);
     bool ok = true;
@@ -240,27 +240,20 @@ static bool run_front_faces(Bench *bench, Findings *findings) {
 const Row rows_contact[] = {
     {6, "normal offset", "normal offset",
      "the light's angle theta: 0 to 85 degrees on a bare wall, 20 to 65 at a board",
-     "No acne at any angle with 0.72 texels (1 / sqrt 2 is enough along the diagonal), an eighth of the wall "
-     "with half of "
-     "that at every angle: unlike a depth bias it need not grow with the slope. The price of an offset delta "
-     "is the "
-     "shadow's tip, which moves by delta tan(theta); the foot keeps its shadow.",
+     "No acne at any angle with 0.72 texels (1 / sqrt 2 is enough along the diagonal), an eighth of the "
+     "wall with half of that at every angle: unlike a depth bias it need not grow with the slope. The price "
+     "of an offset delta is the shadow's tip, which moves by delta tan(theta); the foot keeps its shadow.",
      "closed form", run_normal_offset},
     {7, "peter-panning", "constant bias", "the bias b, 0.1 to 0.8 world units along the light",
      "The wall is lit as far as b sin(theta) from the board's lit face. A normal offset that moves the "
-     "comparison as far "
-     "leaves no gap.",
+     "comparison as far leaves no gap.",
      "closed form", run_gap},
     {8, "thin casters", "front-face culling", "a closed board's thickness towards 0; then a single quad",
      "A constant bias b lights the wall as far as b sin(theta) from the board's lit face. Under a thick "
-     "board that is out "
-     "of sight; it shows on the dark side as soon as the board's thickness along the light is less than b. "
-     "With the front "
-     "faces culled the map holds the dark side itself, and nothing leaks however thin a closed board is. But "
-     "a single quad "
-     "has one face only: culled with it goes its whole shadow, and only a map without culling holds it from "
-     "both sides (at "
-     "the price of acne again).",
+     "board that is out of sight; it shows on the dark side as soon as the board's thickness along the "
+     "light is less than b. With the front faces culled the map holds the dark side itself, and nothing "
+     "leaks however thin a closed board is. But a single quad has one face only: culled with it goes its "
+     "whole shadow, and only a map without culling holds it from both sides (at the price of acne again).",
      "closed form", run_front_faces},
     {0},
 };

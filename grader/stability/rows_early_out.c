@@ -93,10 +93,8 @@ const Row rows_early_out[] = {
     {17, "early-out", "random sampling with early-out",
      "a ball before the light, from 0.1 to 1 of the disc's radius R",
      "A ball of less than 0.866 R in the middle lies inside the eight samples that are asked first: they "
-     "agree on light, "
-     "and the whole shadow, (b / R)^2, is missed. A ball as large as the disc is found. With all samples the "
-     "error stays "
-     "below 0.05.",
+     "agree on light, and the whole shadow, (b / R)^2, is missed. A ball as large as the disc is found. "
+     "With all samples the error stays below 0.05.",
      "closed form; Y. Uralsky: Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, 2005",
      run_early_out},
     {0},

@@ -19,7 +19,7 @@ static void integrate(const Probe *probe, double texel, double *error, double *s
     double step = probe_unit(probe) * M_SQRT1_2 / texel / size.height;
     *error = *square = 0;
     for (int i = 0; i < size.width * size.height; i++) {
-        double off = fabs(probe->measured.visibility[i] - probe->ground.visibility[i]);
+        double off = fabsf(probe->measured.visibility[i] - probe->ground.visibility[i]);
         *error += off * step;
         *square += off * off * step;
     }
@@ -151,13 +151,12 @@ const Row rows_filter[] = {
     {15, "PCF blur", "percentage-closer filtering, box of linear lookups",
      "the kernel's width w, 1 to 17 texels",
      "A box of width w makes a ramp as wide of a hard edge: w / 4 of absolute error per length of the edge, "
-     "w / 12 of "
-     "squared error. Softness that no real penumbra asked for is an error that grows with the kernel.",
+     "w / 12 of squared error. Softness that no real penumbra asked for is an error that grows with the "
+     "kernel.",
      "closed form", run_box},
     {16, "number of samples", "random sampling", "16 to 256 samples a pixel, in cells and independent",
      "Independent samples: sqrt(V (1 - V) / n), slope -1/2. One to a cell: only the cells that the edge "
-     "crosses, about "
-     "sqrt n of n, make noise, so the slope is -3/4.",
+     "crosses, about sqrt n of n, make noise, so the slope is -3/4.",
      "closed form; D. Mitchell: Consequences of Stratified Sampling in Graphics, SIGGRAPH 1996", run_random},
     {0},
 };

@@ -26,7 +26,7 @@ static double outside_shadow(const Probe *probe, double half_size) {
     double dark = 0, count = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
         const TruthHit *hit = &probe->ground.picture.hits[i];
-        if (hit->object != 0 || fmax(fabs(hit->position.x), fabs(hit->position.y)) < half_size)
+        if (hit->object != 0 || fmaxf(fabsf(hit->position.x), fabsf(hit->position.y)) < half_size)
             continue;
         dark += 1 - probe->measured.visibility[i];
         count++;
@@ -200,21 +200,17 @@ static bool run_behind(Bench *bench, Findings *findings) {
 const Row rows_frame[] = {
     {9, "frame of the map", "shadow map", "the wall's width, 1.5 to 3 times the map's",
      "With GL_REPEAT the shadow in the map comes again in each period: the part of the wall that the "
-     "repeated squares "
-     "cover. With a border of depth 1 nothing outside is dark.",
+     "repeated squares cover. With a border of depth 1 nothing outside is dark.",
      "closed form", run_frame},
     {10, "far plane", "shadow map, hardware comparison",
      "the wall's distance across the far plane, by comparison and depth format",
      "Beyond the far plane the reference is greater than 1 and the map is at 1. OpenGL clamps the reference "
-     "for the fixed-"
-     "point formats only: GL_LESS makes all dark, GL_LEQUAL makes it lit with 16 and 24 bits and dark in "
-     "floats. A guard "
-     "in the shader is right for all.",
-     "OpenGL 4.1 core, section 3.8.16 (texture comparison modes)", run_far},
+     "for the fixed-point formats only: GL_LESS makes all dark, GL_LEQUAL makes it lit with 16 and 24 bits "
+     "and dark in floats. A guard in the shader is right for all.",
+     "OpenGL 4.1 core, Texture Comparison Modes", run_far},
     {11, "back-projection", "shadow map of a spot light", "how much of the wall lies behind the lamp",
      "Behind the lamp w is negative and the depth after the division greater than 1: without a test of its "
-     "own all of it "
-     "takes the test for the far plane and is lit. The test of w leaves nothing.",
+     "own all of it takes the test for the far plane and is lit. The test of w leaves nothing.",
      "closed form; C. Everitt: Projective Texture Mapping, 2001", run_behind},
     {0},
 };

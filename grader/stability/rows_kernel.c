@@ -148,10 +148,8 @@ const Row rows_kernel[] = {
     {5, "receiver-plane bias", "percentage-closer filtering with receiver-plane depth bias",
      "the kernel's radius k, on a plane and beside a crease",
      "On a plane the offset for one linear lookup is enough for every kernel. Beside a box that stands on "
-     "the wall the "
-     "plane goes on behind the box: a false shadow of k (k - 1) / (4 k + 2) texels, which grows with the "
-     "kernel. No lab "
-     "has this bias; it is measured as an edit of lab 05's shader.",
+     "the wall the plane goes on behind the box: a false shadow of k (k - 1) / (4 k + 2) texels, which "
+     "grows with the kernel. No lab has this bias; it is measured as an edit of lab 05's shader.",
      "closed form; J. Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006", run_receiver_plane},
     {0},
 };

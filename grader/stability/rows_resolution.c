@@ -23,16 +23,17 @@ static double wrong_pixels(const Probe *probe, int row) {
     int width = probe->ground.size.width;
     for (int i = row * width; i < (row + 1) * width; i++)
         if (probe->measured.mask[i])
-            wrong += fabs(probe->measured.visibility[i] - probe->ground.visibility[i]);
+            wrong += fabsf(probe->measured.visibility[i] - probe->ground.visibility[i]);
     return wrong;
 }
 
-// A plate high over a long floor (the wall z = 0), its edge along the floor at the angle phi; light from
-// above.
-static Scene long_floor(double phi, float shift, float half_size, float eye_height) {
+// A plate high over a long floor (the wall z = 0), its edge going away from the camera's foot at the angle
+// phi; light from above. The edge falls anywhere among the pixels, and anywhere among the texels.
+static Scene long_floor(double phi, Random *random, float half_size, float eye_height) {
     Scene scene = hand_wall(half_size, 1, glm_rad(60));
-    mat4s turned =
-        glms_rotate(glms_translate_make(vec3_make(shift, -half_size, 6)), -(float)phi, vec3_make(0, 0, 1));
+    vec3s foot = vec3_make(random_range(random, -0.1F, 0.1F), -half_size, 6);
+    mat4s turned = glms_rotate(glms_translate_make(foot), -(float)phi, vec3_make(0, 0, 1));
+    vec3s above = vec3_make(random_range(random, -0.1F, 0.1F), random_range(random, -0.1F, 0.1F), 9);
     hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 0), vec3_make(10, 80, 0.01F), 0);
     scene.objects[1].world_from_object =
         glms_mat4_mul(glms_translate(turned, vec3_make(-10, 0, 0)), scene.objects[1].world_from_object);
@@ -40,7 +41,7 @@ static Scene long_floor(double phi, float shift, float half_size, float eye_heig
     scene.camera.target = vec3_make(0, 0, eye_height - half_size * 0.35F);
     scene.camera.near_plane = 0.1F;
     scene.camera.far_plane = 3 * half_size;
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 9), vec3_make(0, 0, 0), 0, half_size, 1, 12);
+    hand_light(&scene, LIGHT_DIRECTIONAL, above, vec3_make(above.x, above.y, 0), 0, half_size, 1, 12);
     return scene;
 }
 
@@ -61,7 +62,7 @@ static void add_rows(const Probe *probe, double nearest, double width, Bin *bins
     const MetricsSize size = probe->ground.size;
     const TruthHit *hits = probe->ground.picture.hits;
     double per_depth =
-        2 * tan(probe->ground.truth.scene.camera.fov_y / 2) / size.height; // of a pixel's width
+        2 * tan(0.5 * probe->ground.truth.scene.camera.fov_y) / size.height; // of a pixel's width
     for (int row = 1; row < size.height; row++) {
         const TruthHit *hit = &hits[row * size.width + size.width / 2], *above = hit - size.width;
         if (hit->object != 0 || above->object != 0)
@@ -101,7 +102,7 @@ static void add_slope(Figure *figure, const Curve *points, const char *name, dou
 
 static bool run_perspective(Bench *bench, Findings *findings) {
     enum { WIDTH = 160, HEIGHT = 600, MAP = 1024 };
-    const double phi = glm_rad(5), texel = 2.0 * 24 / MAP, cosine = cos(phi), sine = sin(phi);
+    const double phi = hand_radians(5), texel = 2.0 * 24 / MAP, cosine = cos(phi), sine = sin(phi);
     const double width = texel * (cosine / 4 + sine * sine / (12 * cosine)) / cosine;
     Figure *figure = findings_figure(findings, "An edge along a long floor",
                                      "distance from the camera (world units)", "error of the edge (pixels)");
@@ -111,7 +112,7 @@ static bool run_perspective(Bench *bench, Findings *findings) {
     bool ok = true;
     figure->log_x = figure->log_y = true;
     for (int i = 0; ok && i < FLOORS; i++) {
-        const Scene scene = long_floor(phi, random_range(&random, -0.1F, 0.1F), 24, 2);
+        const Scene scene = long_floor(phi, &random, 24, 2);
         Probe probe;
         ok = probe_begin(&probe, bench, "03", &scene, WIDTH, HEIGHT);
         probe_knob(&probe, "map size", MAP);
@@ -194,10 +195,8 @@ const Row rows_resolution[] = {
     {13, "perspective aliasing", "shadow map (cascades: not built)",
      "distance from the camera, along a long floor",
      "A texel covers the same part of the floor everywhere, a pixel one that grows with the distance: the "
-     "edge's error in "
-     "pixels goes as 1 / distance, so the map is too coarse nearby and wasted far away. The remedy, "
-     "cascades, would "
-     "flatten the curve; no lab has them, so only the failure is measured.",
+     "edge's error in pixels goes as 1 / distance, so the map is too coarse nearby and wasted far away. The "
+     "remedy, cascades, would flatten the curve; no lab has them, so only the failure is measured.",
      "closed form", run_perspective},
     {14, "resolution", "shadow map", "map size, 128 to 2048 texels",
      "The wrong area per length of the edge is 0.2436 texels, the mean over all directions of the edge.",

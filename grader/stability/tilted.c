@@ -3,9 +3,9 @@
 static const double distance = 10, fov_x = 40;
 
 Scene tilted_wall(double theta, double psi, float half_size, double aspect) {
-    double t = glm_rad((float)theta), a = sin(t) * cos(glm_rad((float)psi));
+    double t = hand_radians(theta), a = sin(t) * cos(hand_radians(psi));
     double x = a * cos(t) / sqrt(1 - a * a), y = sqrt(fmax(sin(t) * sin(t) - x * x, 0));
-    Scene scene = hand_wall(6, (float)distance, (float)(2 * atan(tan(glm_rad((float)fov_x / 2)) / aspect)));
+    Scene scene = hand_wall(6, (float)distance, (float)(2 * atan(tan(hand_radians(fov_x / 2)) / aspect)));
     vec3s light = vec3_make((float)(-distance * x), (float)(-distance * y), (float)(distance * cos(t)));
     hand_light(&scene, LIGHT_DIRECTIONAL, light, vec3_make(0, 0, 0), 0, half_size, TILTED_NEAR, TILTED_FAR);
     return scene;
@@ -15,12 +15,12 @@ double tilted_slope(const Scene *scene) {
     const Light *light = &scene->lights[0];
     mat4s view = glms_lookat(light->position, light->target, vec3_make(0, 1, 0));
     vec3s normal = glms_mat4_mulv3(view, vec3_make(0, 0, 1), 0);
-    return (fabs(normal.x) + fabs(normal.y)) / fabs(normal.z);
+    return (fabsf(normal.x) + fabsf(normal.y)) / fabsf(normal.z);
 }
 
 // Area of the part of [-1/2, 1/2]^2 where a x + b y > c, for a >= b >= 0.
 double tilted_acne(double r, double psi) {
-    double c = fabs(cos(glm_rad((float)psi))), s = fabs(sin(glm_rad((float)psi)));
+    double c = fabs(cos(hand_radians(psi))), s = fabs(sin(hand_radians(psi)));
     double a = fmax(c, s), b = fmin(c, s), level = r * (a + b) / 2;
     if (level >= (a + b) / 2)
         return 0;
