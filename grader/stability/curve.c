@@ -25,6 +25,10 @@ double curve_exponent(const Curve *curve) {
     return (xy - x * y) / (xx - x * x);
 }
 
+const char *curve_bound(const Curve *curve) {
+    return curve->rule == CURVE_LEAST ? "at least " : curve->rule == CURVE_MOST ? "at most " : "";
+}
+
 // How much of the tolerance an excess takes up.
 static double share_of(double excess, double tolerance) {
     if (excess <= 0)
