@@ -26,7 +26,8 @@ double curve_exponent(const Curve *curve) {
 }
 
 const char *curve_bound(const Curve *curve) {
-    return curve->rule == CURVE_LEAST ? "at least " : curve->rule == CURVE_MOST ? "at most " : "";
+    static const char *const words[] = {"", "at least ", "at most ", "", "above ", "below "};
+    return words[curve->rule];
 }
 
 // How much of the tolerance an excess takes up.

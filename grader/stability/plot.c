@@ -54,7 +54,7 @@ static void write_title(FILE *out, const Curve *curve) {
     snprintf(text, sizeof text, "%s", curve->name);
     if (curve->rule == CURVE_SLOPE)
         check_append(text, sizeof text, " (dashed: slope %g)", curve->slope);
-    if (curve_bound(curve)[0])
+    if (curve->rule == CURVE_LEAST || curve->rule == CURVE_MOST)
         check_append(text, sizeof text, " (%sthe dashed)", curve_bound(curve));
     write_quoted(out, text);
 }
