@@ -66,9 +66,11 @@ trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame 
 	@TOOL="$(TOOL)" SCENE="$(SCENE)" grader/trace $(LAB)
 
 site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: build/site/index.html (needs common/setup --check)
+	@command -v cmark-gfm >/dev/null || { echo "cmark-gfm is missing; it comes with: common/setup --check" >&2; exit 1; }
 	@node grader/site/build.mjs $(BUILD)/site
 
 %/node_modules/.package-lock.json: %/package.json
+	@command -v npm >/dev/null || { echo "npm is missing; it comes with: common/setup --check" >&2; exit 1; }
 	cd $* && npm install --no-package-lock --no-audit --no-fund --loglevel=error && touch node_modules/.package-lock.json
 
 skeletons: build ## make labs/ from solutions/
