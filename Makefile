@@ -16,6 +16,7 @@ LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
 TOOLS := grade frame skeletons prove bench_frames bench_truth
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
+SERVERS := $(BUILD)/grader/transfer.o # of every program that answers requests
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
@@ -88,7 +89,7 @@ $(ON_TRUTH): $(TRUTH)
 $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
-$(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
+$(BUILD)/worker: $(WORKER) $(SERVERS) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)

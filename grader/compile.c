@@ -25,7 +25,7 @@ static bool run_tool(Process *process, char *const *arguments, const char *folde
 }
 
 bool compile_lab(const char *folder, char log[COMPILE_LOG]) {
-    static Process process;
+    static _Thread_local Process process;
     char common[FILES_PATH], packages[FILES_PATH];
     home_path(common, "common");
     home_build_path(packages, "include");
@@ -59,7 +59,7 @@ bool compile_lab(const char *folder, char log[COMPILE_LOG]) {
 }
 
 static bool locate_one(const char *folder, const char *offset, char *place, size_t size) {
-    static Process process;
+    static _Thread_local Process process;
     char *arguments[] = {"addr2line", "-s", "-e", "lab.so", (char *)offset, NULL};
     if (!run_tool(&process, arguments, folder) || process.text[0] == '?')
         return false;
