@@ -14,14 +14,17 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
-TOOLS := grade frame skeletons prove bench_frames bench_truth
+TOOLS := grade frame skeletons prove bench_frames bench_truth truth_worker
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
 SERVERS := $(BUILD)/grader/transfer.o # of every program that answers requests
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
-ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion test_truth_lab)
+ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth truth_worker test_truth test_truth_occlusion test_truth_lab)
+# The window, the only user of GLFW and stb; the truth is one of its views where Embree is there.
+WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
+VIEW := $(BUILD)/view $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -29,7 +32,7 @@ NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_e
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 
-build: $(BUILD)/worker $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+build: $(BUILD)/worker $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
@@ -37,6 +40,9 @@ grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS=
 demo: build ## grade the labs as shipped, then the solutions
 	$(BUILD)/grade labs || true
 	$(BUILD)/grade solutions
+
+run: build $(VIEW) ## open a lab in a window: make run LAB=05 [ARGS="--seed 2"]
+	$(BUILD)/view --lab $(LAB) $(if $(filter-out labs,$(SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
 
 hint: build ## show the hints of a task: make hint TASK=3.2
 	@grader/hint $(TASK)
@@ -93,10 +99,13 @@ $(BUILD)/worker: $(WORKER) $(SERVERS) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
+$(WINDOW): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
+$(BUILD)/view: $(WINDOW) $(GRADER) $(COMMON) $(GLAD)
+	$(CC) $(SANITIZE) -pthread -o $@ $^ $(LIBS) $(shell pkg-config --libs glfw3)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o $(GRADER) $(NO_GL)
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: sanitize build grade demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: sanitize build grade demo run hint skeletons pictures table test check bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
