@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double LOOK_EVERY = 0.1, NOTICE_FOR = 4, LONGEST_STEP = 0.5; // seconds
+static const double LOOK_EVERY = 0.05, NOTICE_FOR = 4, LONGEST_STEP = 0.5; // seconds
 
 // Where the lab's folder with the student's files lies.
 static bool find_mine(App *app, const char id[3]) {
@@ -139,9 +139,14 @@ static void look_at_files(App *app, double now) {
 }
 
 static void look_at_feeds(App *app) {
+    static FeedNews before;
+    app->heard = false;
     for (int i = 0; i < FEED_COUNT; i++)
-        if (app->feeds[i].running)
+        if (app->feeds[i].running) {
+            before = app->news[i];
             feed_look(&app->feeds[i], &app->news[i]);
+            app->heard = app->heard || memcmp(&before, &app->news[i], sizeof before) != 0;
+        }
     FeedKind source = app->news[FEED_MINE].described ? FEED_MINE : FEED_REFERENCE;
     app->table = app->news[source].description;
 }

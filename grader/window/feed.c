@@ -8,6 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { WARM_UP = 3 }; // frames until the times are true
+
 static const double OURS_SECONDS = 60; // that a frame of ours may take
 static const double PATIENCE = 0.5;    // seconds, with what is being drawn when new files are there
 
@@ -20,7 +22,7 @@ typedef struct Turn {
 } Turn;
 
 static bool has_work(const Feed *feed) {
-    return feed->renew || (!feed->news.dead && feed->asked > feed->news.answered);
+    return feed->renew || (!feed->news.dead && (feed->again > 0 || feed->asked > feed->news.answered));
 }
 
 // Waits for work. False when the feed ends.
@@ -35,6 +37,8 @@ static bool next_turn(Feed *feed, Turn *turn) {
     feed->renew = false;
     feed->news.busy_since = turn->start;
     feed->news.building = turn->renew;
+    if (turn->renew)
+        feed->news.problem[0] = '\0';
     bool goes_on = !feed->quit;
     pthread_mutex_unlock(&feed->lock);
     return goes_on;
@@ -47,6 +51,10 @@ static void publish(Feed *feed, const Turn *turn, const Reply *reply) {
     feed->picture = feed->canvas;
     feed->canvas = old;
     news->pictures++;
+    if (feed->setup.kind != FEED_TRUTH && (turn->renew || news->pictures == 1))
+        feed->again = WARM_UP;
+    else if (feed->again > 0)
+        feed->again--;
     news->answered = turn->number;
     news->turn = process_now() - turn->start;
     memcpy(news->milliseconds, reply->milliseconds, sizeof news->milliseconds);
@@ -64,6 +72,7 @@ static void publish_problem(Feed *feed, const Turn *turn, const char *problem, b
     pthread_mutex_lock(&feed->lock);
     news->answered = turn->number;
     news->dead = dead;
+    feed->again = 0;
     if (turn->renew)
         news->outdated = news->pictures > 0;
     if (turn->renew || !news->outdated)
@@ -92,8 +101,9 @@ static bool build(const Feed *feed, Client *client, char log[COMPILE_LOG]) {
     log[0] = '\0';
     if (setup->kind == FEED_REFERENCE)
         return derive_ours(client->folder, setup->rubric, (Solved){SOLVED_ALL, NULL}, NULL);
+    const char *earlier = feed->clients[feed->current].folder;
     return files_make_temporary(client->folder) &&
-           derive_submission(client->folder, setup->rubric, setup->submission, log);
+           derive_again(client->folder, earlier[0] ? earlier : NULL, setup->rubric, setup->submission, log);
 }
 
 static void discard(const Feed *feed, Client *client) {
@@ -178,7 +188,7 @@ static DrawResult try_new(Feed *feed, int candidate, const Turn *turn, Reply *re
 
 // Changes over to new files when they draw, or when nothing else would.
 static void renew(Feed *feed, const Turn *turn) {
-    static _Thread_local char log[COMPILE_LOG], problem[COMPILE_LOG + PROTOCOL_TEXT];
+    static _Thread_local char log[COMPILE_LOG];
     static _Thread_local Reply reply;
     int candidate = 1 - feed->current;
     DrawResult result = try_new(feed, candidate, turn, &reply, log);
@@ -186,11 +196,12 @@ static void renew(Feed *feed, const Turn *turn) {
         adopt(feed, candidate);
     else
         discard(feed, &feed->clients[candidate]);
-    snprintf(problem, sizeof problem, "%s%s%s", reply.message, log[0] ? "\n" : "", log);
+    check_append(reply.message, sizeof reply.message, "%s%s", reply.message[0] && log[0] ? "\n" : "", log);
     if (result == DRAW_OK && turn->number)
         publish(feed, turn, &reply);
     else if (result != DRAW_OK)
-        publish_problem(feed, turn, superseded(feed) ? "" : problem, !feed->clients[feed->current].started);
+        publish_problem(feed, turn, superseded(feed) ? "" : reply.message,
+                        !feed->clients[feed->current].started);
 }
 
 static void draw(Feed *feed, const Turn *turn) {

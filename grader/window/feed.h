@@ -32,7 +32,7 @@ typedef struct FeedNews {
     bool building;      // busy with gcc
     bool dead;          // no worker runs: only new files help
     bool outdated;      // the picture is that of older files
-    char problem[PROTOCOL_TEXT + COMPILE_LOG], warning[PROTOCOL_TEXT]; // "": none
+    char problem[PROTOCOL_TEXT], warning[PROTOCOL_TEXT]; // "": none
     Description description;
     float milliseconds[LAB_MAX_PASSES]; // of the last picture
     double turn;                        // seconds from request to picture
@@ -48,6 +48,7 @@ typedef struct Feed {
     Request request;
     uint64_t asked; // number of `request`, 0: none yet
     bool renew, quit;
+    int again; // frames to draw once more: the first ones of a worker pay for its shaders
     Image picture;
     FeedNews news;
     int drawing; // of `clients`: is being waited for, and may be cancelled; -1: none

@@ -80,10 +80,13 @@ static void add_difference(const App *app, Lines *lines) {
     char line[LINES_LENGTH] = "";
     if (app->state.show != SHOW_DIFFERENCE || percent <= 0)
         return;
-    check_append(line, sizeof line,
-                 "%% of pixels: %.2f too bright (yellow), %.2f too dark (blue), %.2f other colour",
-                 (double)difference->brighter / percent, (double)difference->darker / percent,
-                 (double)difference->other / percent);
+    if (difference->brighter + difference->darker + difference->other == 0)
+        check_append(line, sizeof line, "no pixel differs");
+    else
+        check_append(line, sizeof line,
+                     "%% of pixels: %.2f too bright (yellow), %.2f too dark (blue), %.2f other colour",
+                     (double)difference->brighter / percent, (double)difference->darker / percent,
+                     (double)difference->other / percent);
     lines_add(lines, accent, line);
 }
 

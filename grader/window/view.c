@@ -16,8 +16,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const float FONT_HEIGHT = 15;                      // at a content scale of 1
-static const double IDLE = 0.1, MOVING = 0.008, GRAB = 8; // seconds; seconds; window units beside the split
+static const float FONT_HEIGHT = 15;                       // at a content scale of 1
+static const double IDLE = 0.05, MOVING = 0.008, GRAB = 8; // seconds; seconds; window units beside the split
 
 static struct {
     AppOptions options;
@@ -176,6 +176,7 @@ static bool open_window(void) {
     glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     view.window = glfwCreateWindow(view.options.width, view.options.height, "Shadow Lab", NULL, NULL);
     if (!view.window)
@@ -255,6 +256,7 @@ static bool turn(void) {
         screen_upload(&view.screen, &view.app.composed);
         view.redraw = true;
     }
+    view.redraw = view.redraw || view.app.heard;
     tell_problem();
     if (visible && (view.redraw || is_late() || process_now() < view.app.notice_until + 1))
         draw(width, height);
@@ -270,8 +272,10 @@ static bool turn(void) {
 static bool run(void) {
     view.start = process_now();
     bool ok = open_window() && app_create(&view.app, &view.options, wake);
-    if (ok)
+    if (ok) {
         set_callbacks();
+        glfwShowWindow(view.window);
+    }
     while (ok && turn())
         ;
     app_destroy(&view.app);
