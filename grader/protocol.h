@@ -21,6 +21,7 @@ enum {
 #define VIEW_PICTURE "picture"       // the frame as its viewer sees it
 #define VIEW_VISIBILITY "visibility" // lit white, shadow black, whatever the colours
 #define VIEW_PRIMITIVES "primitives" // drawn by the worker, not by the lab: see primitives_view.h
+#define VIEW_OCCLUSION "occlusion"   // of truth_worker alone: the sky, as far as the knob "ray length" says
 
 typedef struct KnobSetting {
     char name[LAB_MAX_NAME];

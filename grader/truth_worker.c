@@ -1,7 +1,7 @@
 // truth_worker CONTEXT FOLDER SHADERS (started by the window; the arguments do not matter)
 //
 // Answers the requests of protocol.h with the truth: what the visibility view of a lab would show if it were
-// right. The share of the scene's lights that reach a point, or, in a scene without lights, of the sky.
+// right: the share of the scene's lights that reach a point; with VIEW_OCCLUSION, that of the sky.
 #include "check.h"
 #include "truth/metrics.h"
 #include "protocol.h"
@@ -14,7 +14,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { SKY_RAYS = 32 };
+enum { SKY_RAYS = 256 };
 
 typedef struct Job {
     Truth truth;
@@ -23,23 +23,32 @@ typedef struct Job {
 } Job;
 
 static float seen(const Scene *scene, const TruthHit *hit, float visibility) {
-    if (scene->light_count == 0)
-        return visibility;
     return truth_facing(scene, hit, TRUTH_NONE) > METRICS_LEAST_FACING ? visibility : 0;
 }
 
-static void show(const Job *job, uint8_t *pixels) {
+static void show(const Job *job, bool sky, uint8_t *pixels) {
     size_t count = (size_t)job->picture.width * (size_t)job->picture.height;
     for (size_t i = 0; i < count; i++) {
-        float value = seen(&job->truth.scene, &job->picture.hits[i], job->visibility[i]);
+        float value =
+            sky ? job->visibility[i] : seen(&job->truth.scene, &job->picture.hits[i], job->visibility[i]);
         memset(pixels + 4 * i, (uint8_t)lrintf(255 * value), 3);
         pixels[4 * i + 3] = 255;
     }
 }
 
+static float ray_length(const Request *request) {
+    for (int i = 0; i < request->knob_count; i++)
+        if (strcmp(request->knobs[i].name, "ray length") == 0)
+            return request->knobs[i].value;
+    return 0;
+}
+
 static bool draw(Job *job, const Request *request, uint8_t *pixels) {
-    TruthQuery query = {
-        .kind = request->scene.light_count ? TRUTH_LIGHTS : TRUTH_OCCLUSION, .samples = SKY_RAYS, .seed = 1};
+    bool sky = strcmp(request->view, VIEW_OCCLUSION) == 0;
+    TruthQuery query = {.kind = sky ? TRUTH_OCCLUSION : TRUTH_LIGHTS,
+                        .samples = SKY_RAYS,
+                        .limit = ray_length(request),
+                        .seed = 1};
     job->visibility = calloc((size_t)request->width * (size_t)request->height, sizeof *job->visibility);
     if (!job->visibility)
         return check_fail("out of memory for the truth");
@@ -49,7 +58,7 @@ static bool draw(Job *job, const Request *request, uint8_t *pixels) {
     truth_look(&job->truth, &job->picture);
     if (!truth_trace(&job->truth, &job->picture, &query, job->visibility))
         return false;
-    show(job, pixels);
+    show(job, sky, pixels);
     return true;
 }
 

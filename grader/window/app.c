@@ -163,11 +163,22 @@ static bool take_pictures(App *app) {
     return fresh;
 }
 
+// What the lab's visibility is: that of its lights or, in a lab that has an occlusion to show, of the sky.
+static const char *truth_view(const App *app) {
+    for (int i = 0; i < app->table.stage_count; i++)
+        if (strstr(app->table.stages[i], VIEW_OCCLUSION))
+            return VIEW_OCCLUSION;
+    return VIEW_VISIBILITY;
+}
+
 // Asks a feed for the request, if it does not know it.
 static void ask(App *app, FeedKind kind) {
+    Request request = app->request;
     if (!app->feeds[kind].running || app->asked[kind] == app->number)
         return;
-    feed_ask(&app->feeds[kind], &app->request, app->number);
+    if (kind == FEED_TRUTH)
+        snprintf(request.view, sizeof request.view, "%s", truth_view(app));
+    feed_ask(&app->feeds[kind], &request, app->number);
     app->asked[kind] = app->number;
 }
 

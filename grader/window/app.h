@@ -29,7 +29,7 @@ typedef struct App {
     FeedNews news[FEED_COUNT];
     char absent[FEED_COUNT][200]; // why a feed does not run; "" when it does
     Image pictures[FEED_COUNT];
-    bool heard;                   // the last tick has changed the news
+    bool heard;                 // the last tick has changed the news
     uint64_t taken[FEED_COUNT]; // number of the picture in `pictures`
     uint64_t asked[FEED_COUNT]; // number of the last request to each
     Request request;
