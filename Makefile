@@ -18,13 +18,16 @@ TOOLS := grade frame skeletons prove bench_frames bench_truth truth_worker
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
 SERVERS := $(BUILD)/grader/transfer.o # of every program that answers requests
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
-	$(wildcard grader/*.c)))
+	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
 ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth truth_worker test_truth test_truth_occlusion test_truth_lab)
 # The window, the only user of GLFW and stb; the truth is one of its views where Embree is there.
 WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
-VIEW := $(BUILD)/view $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
+VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
+# The study: labs measured against the truth.
+STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
+ON_STUDY := $(patsubst %,$(BUILD)/%,test_truth_lab)
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -32,7 +35,10 @@ NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_e
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 
-build: $(BUILD)/worker $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+# The watch: a program of several files.
+WATCH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/watch/*.c))
+
+build: $(BUILD)/worker $(BUILD)/watch $(VIEW) $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
@@ -41,8 +47,8 @@ demo: build ## grade the labs as shipped, then the solutions
 	$(BUILD)/grade labs || true
 	$(BUILD)/grade solutions
 
-run: build $(VIEW) ## open a lab in a window: make run LAB=05 [ARGS="--seed 2"]
-	$(BUILD)/view --lab $(LAB) $(if $(filter-out labs,$(SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
+run: build $(BUILD)/view ## open a lab in a window: make run LAB=05 [ARGS="--seed 2"]
+	$(BUILD)/view $(if $(LAB),--lab $(LAB)) $(if $(filter-out labs,$(SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
 
 hint: build ## show the hints of a task: make hint TASK=3.2
 	@grader/hint $(TASK)
@@ -92,6 +98,7 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(ON_TRUTH): $(TRUTH)
+$(ON_STUDY): $(STUDY)
 $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
@@ -102,6 +109,8 @@ $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 $(WINDOW): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
 $(BUILD)/view: $(WINDOW) $(GRADER) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -pthread -o $@ $^ $(LIBS) $(shell pkg-config --libs glfw3)
+$(BUILD)/watch: $(WATCH) $(GRADER) $(NO_GL)
+	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o $(GRADER) $(NO_GL)
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka

@@ -1,6 +1,6 @@
 // The truth held against what OpenGL draws: the triangles of a frame, and the shadow of lab 03's solution.
-#include "truth/metrics.h"
-#include "truth/truth.h"
+#include "check.h"
+#include "study/ground.h"
 #include "witness.h"
 
 #include <setjmp.h>
@@ -10,56 +10,13 @@
 
 #include <cmocka.h>
 
-// A frame as the truth sees it, and the triangles that GL drew.
-typedef struct Shot {
-    MetricsSize size;
-    Truth truth;
-    TruthPicture picture;
-    int32_t *traced, *drawn;
-    float *facing, *visibility, *measured, *distance;
-    uint8_t *mask;
-} Shot;
-
-static float *make_floats(size_t count) {
-    float *values = calloc(count, sizeof *values);
-    assert_non_null(values);
-    return values;
-}
-
-static Shot take_shot(const Scene *scene, int width, int height) {
-    Shot shot = {.size = {width, height}};
-    size_t count = (size_t)width * (size_t)height;
-    shot.facing = make_floats(count);
-    shot.visibility = make_floats(count);
-    shot.measured = make_floats(count);
-    shot.distance = make_floats(count);
-    shot.traced = calloc(count, sizeof *shot.traced);
-    shot.drawn = calloc(count, sizeof *shot.drawn);
-    shot.mask = calloc(count, 1);
-    assert_true(shot.traced && shot.drawn && shot.mask);
-    assert_true(truth_create(&shot.truth, scene) && truth_picture_create(&shot.picture, width, height));
-    truth_look(&shot.truth, &shot.picture);
-    Image image = witness_draw("03", scene, VIEW_PRIMITIVES, width, height, NULL, 0);
-    for (size_t i = 0; i < count; i++) {
-        const TruthHit *hit = &shot.picture.hits[i];
-        shot.traced[i] = metrics_primitive(hit->object, hit->triangle);
-        shot.drawn[i] = metrics_decode_primitive(image.rgba + 4 * i);
-        shot.facing[i] = truth_facing(scene, hit, 0);
-    }
-    image_destroy(&image);
-    return shot;
-}
-
-static void drop_shot(Shot *shot) {
-    truth_picture_destroy(&shot->picture);
-    truth_destroy(&shot->truth);
-    free(shot->traced);
-    free(shot->drawn);
-    free(shot->facing);
-    free(shot->visibility);
-    free(shot->measured);
-    free(shot->distance);
-    free(shot->mask);
+static Ground make_ground(Artist *artist, const Scene *scene, int width, int height) {
+    Ground ground;
+    const TruthQuery query = {.kind = TRUTH_LIGHT};
+    if (!artist_open(artist, "03") ||
+        !ground_create(&ground, scene, (MetricsSize){width, height}, &query, artist))
+        fail_msg("%s", check_message());
+    return ground;
 }
 
 typedef struct Agreement {
@@ -67,25 +24,25 @@ typedef struct Agreement {
     int far;                         // different although all neighbours show what GL drew
 } Agreement;
 
-static bool is_inside(const Shot *shot, int x, int y) {
+static bool is_inside(const Ground *ground, int x, int y) {
     for (int v = y - 1; v <= y + 1; v++)
         for (int u = x - 1; u <= x + 1; u++)
-            if (u >= 0 && v >= 0 && u < shot->size.width && v < shot->size.height &&
-                shot->drawn[v * shot->size.width + u] != shot->drawn[y * shot->size.width + x])
+            if (u >= 0 && v >= 0 && u < ground->size.width && v < ground->size.height &&
+                ground->drawn[v * ground->size.width + u] != ground->drawn[y * ground->size.width + x])
                 return false;
     return true;
 }
 
-static Agreement agree(const Shot *shot) {
-    Agreement found = {.pixels = shot->size.width * shot->size.height};
-    for (int y = 0; y < shot->size.height; y++)
-        for (int x = 0; x < shot->size.width; x++) {
-            int i = y * shot->size.width + x;
-            bool differs = shot->drawn[i] != shot->traced[i];
+static Agreement agree(const Ground *ground) {
+    Agreement found = {.pixels = ground->size.width * ground->size.height};
+    for (int y = 0; y < ground->size.height; y++)
+        for (int x = 0; x < ground->size.width; x++) {
+            int i = y * ground->size.width + x;
+            bool differs = ground->drawn[i] != ground->traced[i];
             found.different += differs;
-            found.far += differs && is_inside(shot, x, y);
-            found.outlines += x > 0 && shot->traced[i] != shot->traced[i - 1];
-            found.outlines += y > 0 && shot->traced[i] != shot->traced[i - shot->size.width];
+            found.far += differs && is_inside(ground, x, y);
+            found.outlines += x > 0 && ground->traced[i] != ground->traced[i - 1];
+            found.outlines += y > 0 && ground->traced[i] != ground->traced[i - ground->size.width];
         }
     return found;
 }
@@ -95,8 +52,9 @@ static Agreement agree(const Shot *shot) {
 // many centres lie in it; four standard deviations of that number on top. A pixel that differs must touch an
 // outline.
 static void check_agreement(const char *name, const Scene *scene) {
-    Shot shot = take_shot(scene, 640, 480);
-    Agreement found = agree(&shot);
+    Artist artist;
+    Ground ground = make_ground(&artist, scene, 640, 480);
+    Agreement found = agree(&ground);
     double expected = found.outlines * sqrt(2) / 512, most = expected + 4 * sqrt(expected);
     print_message("%s: %d of %d pixels differ (%.4f %%), %d along outlines of %d, at most %.1f expected\n",
                   name, found.different, found.pixels, 100.0 * found.different / found.pixels,
@@ -104,7 +62,8 @@ static void check_agreement(const char *name, const Scene *scene) {
     assert_true(found.outlines > 1000);
     assert_true(found.different <= most);
     assert_int_equal(found.far, 0);
-    drop_shot(&shot);
+    ground_destroy(&ground);
+    artist_close(&artist);
 }
 
 static void test_primitives(void **unused) {
@@ -121,22 +80,17 @@ enum { SIZE = 1600, MAP = 2048, PLACES = 4, SEED = 9 };
 
 // Object `object` alone, or all of them for TRUTH_NONE.
 static Metrics compare(const Scene *scene, int object) {
-    const WitnessKnob map = {"map size", MAP};
-    const TruthQuery query = {.kind = TRUTH_LIGHT};
-    Shot shot = take_shot(scene, SIZE, SIZE);
-    assert_true(truth_trace(&shot.truth, &shot.picture, &query, shot.visibility));
-    Image image = witness_draw("03", scene, VIEW_VISIBILITY, SIZE, SIZE, &map, 1);
-    for (size_t i = 0; i < (size_t)SIZE * SIZE; i++)
-        shot.measured[i] = image.rgba[4 * i + 3] ? (float)image.rgba[4 * i] / 255 : NAN;
-    image_destroy(&image);
-    const MetricsPixels pixels = {shot.drawn, shot.traced, shot.facing, shot.measured};
-    metrics_mask(shot.size, &pixels, shot.mask);
-    for (size_t i = 0; object != TRUTH_NONE && i < (size_t)SIZE * SIZE; i++)
-        shot.mask[i] = shot.mask[i] && shot.picture.hits[i].object == object;
-    assert_true(metrics_boundary(shot.size, shot.traced, shot.visibility, shot.distance));
-    Metrics metrics = metrics_compare(shot.size, shot.mask, shot.measured, shot.visibility, shot.distance,
-                                      METRICS_LEAST_EDGE);
-    drop_shot(&shot);
+    Artist artist;
+    Measured measured;
+    Ground ground = make_ground(&artist, scene, SIZE, SIZE);
+    Setting setting = {.view = VIEW_VISIBILITY, .object = object};
+    setting_knob(&setting, "map size", MAP);
+    if (!ground_measure(&ground, &artist, &setting, true, &measured))
+        fail_msg("%s", check_message());
+    Metrics metrics = measured.metrics;
+    measured_destroy(&measured);
+    ground_destroy(&ground);
+    artist_close(&artist);
     return metrics;
 }
 

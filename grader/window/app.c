@@ -2,6 +2,7 @@
 
 #include "check.h"
 #include "home.h"
+#include "submission.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -13,17 +14,13 @@ static const double LOOK_EVERY = 0.05, NOTICE_FOR = 4, LONGEST_STEP = 0.5; // se
 
 // Where the lab's folder with the student's files lies.
 static bool find_mine(App *app, const char id[3]) {
-    char parent[FILES_PATH], file[FILES_PATH];
-    const char *submission = app->options->submission;
-    home_path(parent, "labs");
-    if (submission)
-        snprintf(parent, sizeof parent, "%s", submission);
-    files_join(file, parent, "lab.c");
-    if (submission && files_exists(file)) {
-        snprintf(app->folder, sizeof app->folder, "%s", parent);
-        return true;
-    }
-    return home_find_lab_in(app->folder, parent, id) || check_fail("there is no lab %s in %s", id, parent);
+    static Submission submission;
+    char labs[FILES_PATH];
+    home_path(labs, "labs");
+    const char *folder = app->options->submission ? app->options->submission : labs;
+    return submission_open(&submission, folder) &&
+           (submission_find(&submission, id, app->folder) ||
+            check_fail("there is no lab %s in %s", id, folder));
 }
 
 static void note_source(const char *name, void *context) {
@@ -42,11 +39,19 @@ static bool load_rubric(App *app, const char id[3]) {
     return files_list(app->folder, note_source, &app->rubric);
 }
 
+// A copy for students has rubrics, but no solutions.
+static bool has_solution(const App *app) {
+    char path[FILES_PATH] = "";
+    if (app->rubric.json)
+        files_join(path, app->rubric.folder, "lab.c");
+    return files_exists(path);
+}
+
 static void start_feed(App *app, FeedKind kind, void (*wake)(void)) {
     const FeedSetup setup = {kind, &app->rubric, app->folder, app->options->context, app->options->seconds,
                              wake};
-    if (kind == FEED_REFERENCE && !app->rubric.json)
-        check_fail("no reference here: the solution is not handed out");
+    if (kind == FEED_REFERENCE && !has_solution(app))
+        check_fail("no reference here: the solutions are not handed out");
     else if (feed_start(&app->feeds[kind], &setup))
         return;
     snprintf(app->absent[kind], sizeof app->absent[kind], "%s", check_message());
@@ -63,10 +68,10 @@ static void take_options(App *app) {
     state->text = !options->bare;
     if (options->scene)
         snprintf(state->scene, sizeof state->scene, "%s", options->scene);
-    if (options->view)
-        snprintf(state->view, sizeof state->view, "%s", options->view);
-    for (int i = 0; i < options->knob_count; i++)
-        state_set_knob(state, options->knobs[i].name, options->knobs[i].value);
+    if (options->request.view[0])
+        snprintf(state->view, sizeof state->view, "%s", options->request.view);
+    for (int i = 0; i < options->request.knob_count; i++)
+        state_set_knob(state, options->request.knobs[i].name, options->request.knobs[i].value);
 }
 
 bool app_create(App *app, const AppOptions *options, void (*wake)(void)) {

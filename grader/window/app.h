@@ -8,16 +8,14 @@
 #include <stdbool.h>
 
 typedef struct AppOptions {
-    char lab[3];                                        // "05"
-    const char *submission, *scene, *view, *screenshot; // NULL: not given
+    char lab[3];                                 // "05"
+    const char *submission, *scene, *screenshot; // NULL: not given
     uint64_t seed;
     Show show;
     double quit_after, seconds; // 0: never; that a frame of mine may take
-    int width, height;          // of the window, in its own units
+    Request request;            // size of the window in its own units, view and knobs
     ContextKind context;
     bool against_truth, bare; // bare: without text
-    KnobSetting knobs[LAB_MAX_KNOBS];
-    int knob_count;
 } AppOptions;
 
 typedef struct App {

@@ -1,10 +1,10 @@
 // view: opens a lab in a window. The lab draws in a worker, as when it is graded; the window shows its
 // pixels.
+#include "arguments.h"
 #include "check.h"
 #include "home.h"
 #include "hud.h"
 #include "keys.h"
-#include "options.h"
 #include "screen.h"
 #include "shader_source.h"
 
@@ -178,7 +178,8 @@ static bool open_window(void) {
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    view.window = glfwCreateWindow(view.options.width, view.options.height, "Shadow Lab", NULL, NULL);
+    view.window =
+        glfwCreateWindow(view.options.request.width, view.options.request.height, "Shadow Lab", NULL, NULL);
     if (!view.window)
         return check_fail("no window with OpenGL 4.1 can be opened");
     glfwMakeContextCurrent(view.window);
@@ -290,8 +291,8 @@ static bool run(void) {
 
 int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
-    if (!options_parse(&view.options, count, arguments)) {
-        fprintf(stderr, "view: %s\n%s", check_message(), options_usage);
+    if (!arguments_parse(&view.options, count, arguments)) {
+        fprintf(stderr, "view: %s\n%s", check_message(), arguments_usage);
         return 2;
     }
     bool ok = run();

@@ -1,44 +1,27 @@
-#include "options.h"
+#include "arguments.h"
 
 #include "check.h"
+#include "request_options.h"
 
 #include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-const char options_usage[] = "usage: build/view --lab NN [options]\n"
-                             "  --submission DIR  shaped like labs/, or one lab's folder (default labs)\n"
-                             "  --scene NAME      scene to begin with\n"
-                             "  --seed N          variant of the scene (default 1)\n"
-                             "  --view V          picture (default), visibility or a stage of the lab\n"
-                             "  --show S          mine (default), reference, split, difference or truth\n"
-                             "  --against-truth   split and difference compare with the truth\n"
-                             "  --knob NAME=VALUE may be repeated\n"
-                             "  --size WxH        of the window (default 800x600)\n"
-                             "  --bare            begin without text (key H)\n"
-                             "  --timeout S       longest time of a frame of mine (default 10)\n"
-                             "  --context C       of the labs: osmesa (default) or egl\n"
-                             "  --screenshot FILE save the picture as PNG once it is there, and quit\n"
-                             "  --quit-after S    quit after so many seconds\n";
-
-static bool take_knob(AppOptions *options, const char *text) {
-    const char *equals = strchr(text, '=');
-    if (!equals || options->knob_count == LAB_MAX_KNOBS)
-        return check_fail("--knob takes NAME=VALUE, not \"%s\"", text);
-    KnobSetting *knob = &options->knobs[options->knob_count++];
-    snprintf(knob->name, sizeof knob->name, "%.*s", (int)(equals - text), text);
-    knob->value = strtof(equals + 1, NULL);
-    return true;
-}
-
-static bool take_size(AppOptions *options, const char *text) {
-    int used = 0;
-    bool ok = sscanf(text, "%dx%d%n", &options->width, &options->height, &used) == 2 && text[used] == '\0' &&
-              options->width > 0 && options->height > 0 && options->width <= PROTOCOL_MAX_SIZE &&
-              options->height <= PROTOCOL_MAX_SIZE;
-    return ok || check_fail("--size takes WIDTHxHEIGHT up to %d, not \"%s\"", PROTOCOL_MAX_SIZE, text);
-}
+const char arguments_usage[] = "usage: build/view --lab NN [options]\n"
+                               "  --submission DIR  shaped like labs/, or one lab's folder (default labs)\n"
+                               "  --scene NAME      scene to begin with\n"
+                               "  --seed N          variant of the scene (default 1)\n"
+                               "  --view V          picture (default), visibility or a stage of the lab\n"
+                               "  --show S          mine (default), reference, split, difference or truth\n"
+                               "  --against-truth   split and difference compare with the truth\n"
+                               "  --knob NAME=VALUE may be repeated\n"
+                               "  --size WxH        of the window (default 800x600)\n"
+                               "  --bare            begin without text (key H)\n"
+                               "  --timeout S       longest time of a frame of mine (default 10)\n"
+                               "  --context C       of the labs: osmesa (default) or egl\n"
+                               "  --screenshot FILE save the picture as PNG once it is there, and quit\n"
+                               "  --quit-after S    quit after so many seconds\n";
 
 static bool take_show(AppOptions *options, const char *text) {
     static const char *const names[SHOW_COUNT] = {"mine", "reference", "split", "difference", "truth"};
@@ -76,15 +59,16 @@ static bool take_option(AppOptions *options, int option, char *value) {
     case 's':
         return options->seed = strtoull(value, NULL, 10), true;
     case 'v':
-        return options->view = value, true;
+        snprintf(options->request.view, sizeof options->request.view, "%s", value);
+        return true;
     case 'w':
         return take_show(options, value);
     case 't':
         return options->against_truth = true;
     case 'k':
-        return take_knob(options, value);
+        return request_take_knob(&options->request, value);
     case 'z':
-        return take_size(options, value);
+        return request_take_size(&options->request, value);
     case 'b':
         return options->bare = true;
     case 'm':
@@ -100,7 +84,7 @@ static bool take_option(AppOptions *options, int option, char *value) {
     }
 }
 
-bool options_parse(AppOptions *options, int count, char **arguments) {
+bool arguments_parse(AppOptions *options, int count, char **arguments) {
     static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
                                           {"submission", required_argument, NULL, 'd'},
                                           {"scene", required_argument, NULL, 'n'},
@@ -116,7 +100,7 @@ bool options_parse(AppOptions *options, int count, char **arguments) {
                                           {"screenshot", required_argument, NULL, 'p'},
                                           {"quit-after", required_argument, NULL, 'q'},
                                           {0}};
-    *options = (AppOptions){.seed = 1, .width = 800, .height = 600, .seconds = 10};
+    *options = (AppOptions){.seed = 1, .seconds = 10, .request = {.width = 800, .height = 600}};
     opterr = 0;
     for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;)
         if (!take_option(options, option, optarg))

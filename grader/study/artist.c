@@ -1,0 +1,72 @@
+#include "artist.h"
+
+#include "check.h"
+#include "derive.h"
+#include "home.h"
+
+#include <string.h>
+
+enum { SECONDS = 600 }; // that a submission may draw for a study
+
+static bool load(Artist *artist, const char *id) {
+    char folder[FILES_PATH];
+    *artist = (Artist){0};
+    return (home_find_lab(folder, id) || check_fail("there is no lab \"%s\" in solutions/", id)) &&
+           rubric_load(&artist->rubric, folder);
+}
+
+bool artist_open(Artist *artist, const char *id) {
+    if (!load(artist, id))
+        return false;
+    artist->roster.rubric = &artist->rubric;
+    return artist_change(artist, NULL);
+}
+
+static bool derive(Artist *artist, const char *folder) {
+    char log[COMPILE_LOG] = "";
+    return files_make_temporary(artist->client.folder) &&
+           (derive_submission(artist->client.folder, &artist->rubric, folder, log) ||
+            check_fail("%s", log[0] ? log : "the submission does not compile"));
+}
+
+bool artist_open_submission(Artist *artist, const char *id, const char *submission) {
+    char folder[FILES_PATH];
+    if (!load(artist, id))
+        return false;
+    if (!home_find_lab_in(folder, submission, id))
+        files_join(folder, submission, ".");
+    artist->client = (Client){.trust = TRUST_NOBODY, .seconds = SECONDS};
+    return derive(artist, folder);
+}
+
+bool artist_change(Artist *artist, const Change *change) {
+    INVARIANT(artist->roster.rubric);
+    const Painter *painter = roster_get(&artist->roster, (Solved){SOLVED_ALL, NULL}, change);
+    artist->painter = painter ? painter : artist->painter;
+    return painter != NULL;
+}
+
+const Change *artist_mistake(const Artist *artist, const char *name) {
+    for (int i = 0; i < artist->rubric.mistake_count; i++)
+        if (strcmp(artist->rubric.mistakes[i].name, name) == 0)
+            return &artist->rubric.mistakes[i];
+    check_fail("lab %s has no mistake \"%s\" in mistakes.json", artist->rubric.id, name);
+    return NULL;
+}
+
+bool artist_draw(Artist *artist, const Request *request, Image *image, Reply *reply) {
+    if (artist->painter && !roster_draw(&artist->roster, artist->painter, request, image, reply))
+        return false;
+    if (!artist->painter)
+        client_draw(&artist->client, request, image, reply);
+    return reply->drawn || check_fail("lab %s drew nothing: %s", artist->rubric.id, reply->message);
+}
+
+void artist_close(Artist *artist) {
+    client_stop(&artist->client);
+    if (artist->client.folder[0])
+        files_remove(artist->client.folder);
+    roster_destroy(&artist->roster);
+    rubric_destroy(&artist->rubric);
+    *artist = (Artist){0};
+}
