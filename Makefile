@@ -102,6 +102,7 @@ $(ON_STUDY): $(STUDY)
 $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
+$(BUILD)/test_view: $(patsubst %,$(BUILD)/grader/window/%.o,compose knob_step orbit place state watch)
 $(BUILD)/worker: $(WORKER) $(SERVERS) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)

@@ -18,9 +18,8 @@ static bool find_mine(App *app, const char id[3]) {
     char labs[FILES_PATH];
     home_path(labs, "labs");
     const char *folder = app->options->submission ? app->options->submission : labs;
-    return submission_open(&submission, folder) &&
-           (submission_find(&submission, id, app->folder) ||
-            check_fail("there is no lab %s in %s", id, folder));
+    return submission_open(&submission, folder) && (submission_find(&submission, id, app->folder) ||
+                                                    check_fail("there is no lab %s in %s", id, folder));
 }
 
 static void note_source(const char *name, void *context) {

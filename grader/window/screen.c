@@ -34,18 +34,6 @@ void screen_upload(Screen *screen, const Image *picture) {
     screen->height = picture->height;
 }
 
-Place screen_place(int width, int height, int window_width, int window_height, int pixel) {
-    Place place = {.width = width * pixel, .height = height * pixel};
-    if (width != window_width / pixel || height != window_height / pixel) {
-        bool wide = (long)width * window_height > (long)height * window_width;
-        place.width = wide ? window_width : (int)((long)width * window_height / height);
-        place.height = wide ? (int)((long)height * window_width / width) : window_height;
-    }
-    place.x = (window_width - place.width) / 2;
-    place.y = (window_height - place.height) / 2;
-    return place;
-}
-
 void screen_draw(const Screen *screen, int window_width, int window_height, int pixel) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window_width, window_height);
@@ -53,7 +41,7 @@ void screen_draw(const Screen *screen, int window_width, int window_height, int 
     glClear(GL_COLOR_BUFFER_BIT);
     if (screen->width == 0)
         return;
-    Place place = screen_place(screen->width, screen->height, window_width, window_height, pixel);
+    Place place = place_picture(screen->width, screen->height, window_width, window_height, pixel);
     bool whole = place.width % screen->width == 0 && place.height % screen->height == 0;
     glBindTexture(GL_TEXTURE_2D, screen->texture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, whole ? GL_NEAREST : GL_LINEAR);

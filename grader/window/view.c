@@ -54,7 +54,7 @@ static void save_as(const char *path) {
     Image image = {0};
     int width, height;
     glfwGetFramebufferSize(view.window, &width, &height);
-    Place place = screen_place(view.screen.width, view.screen.height, width, height, pixel_side());
+    Place place = place_picture(view.screen.width, view.screen.height, width, height, pixel_side());
     screen_draw(&view.screen, width, height, pixel_side());
     check_clear();
     bool ok = screen_read(&image, &place) && image_write_png(&image, path);
@@ -203,7 +203,7 @@ static void set_callbacks(void) {
 static void find_cursor(int cursor[2], int width, int height) {
     int units_x, units_y;
     glfwGetWindowSize(view.window, &units_x, &units_y);
-    Place place = screen_place(view.screen.width, view.screen.height, width, height, pixel_side());
+    Place place = place_picture(view.screen.width, view.screen.height, width, height, pixel_side());
     double x = view.mouse_x * width / fmax(units_x, 1) - place.x,
            y = view.mouse_y * height / fmax(units_y, 1) - (height - place.y - place.height);
     cursor[0] = (int)floor(x * view.screen.width / fmax(place.width, 1));
