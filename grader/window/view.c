@@ -36,6 +36,13 @@ static struct {
     char told[200]; // the last problem that was printed
 } view;
 
+static volatile sig_atomic_t stopped; // by Ctrl-C: what was made for the labs is removed first
+
+static void on_signal(int number) {
+    (void)number;
+    stopped = 1;
+}
+
 static void wake(void) {
     glfwPostEmptyEvent();
 }
@@ -267,7 +274,7 @@ static bool turn(void) {
         return false;
     }
     bool over = view.options.quit_after > 0 && process_now() - view.start > view.options.quit_after;
-    return !over && !glfwWindowShouldClose(view.window);
+    return !over && !stopped && !glfwWindowShouldClose(view.window);
 }
 
 static bool run(void) {
@@ -291,6 +298,9 @@ static bool run(void) {
 
 int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
+    signal(SIGINT, on_signal);
+    signal(SIGTERM, on_signal);
+    signal(SIGHUP, on_signal);
     if (!arguments_parse(&view.options, count, arguments)) {
         fprintf(stderr, "view: %s\n%s", check_message(), arguments_usage);
         return 2;
