@@ -3,6 +3,7 @@
 #include "check.h"
 #include "derive.h"
 #include "home.h"
+#include "score.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -46,6 +47,7 @@ static bool next_turn(Feed *feed, Turn *turn) {
 
 static void publish(Feed *feed, const Turn *turn, const Reply *reply) {
     FeedNews *news = &feed->news;
+    const char *wrong = score_not_finite(&feed->canvas);
     pthread_mutex_lock(&feed->lock);
     Image old = feed->picture;
     feed->picture = feed->canvas;
@@ -59,6 +61,8 @@ static void publish(Feed *feed, const Turn *turn, const Reply *reply) {
     news->turn = process_now() - turn->start;
     memcpy(news->milliseconds, reply->milliseconds, sizeof news->milliseconds);
     snprintf(news->warning, sizeof news->warning, "%s", reply->message);
+    if (wrong)
+        check_append(news->warning, sizeof news->warning, "%s%s", reply->message[0] ? "\n" : "", wrong);
     if (turn->renew)
         news->outdated = false;
     if (!news->outdated)

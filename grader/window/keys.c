@@ -144,6 +144,11 @@ static void change_text(App *app, int sign) {
     app->state.text = !app->state.text;
 }
 
+static void change_loupe(App *app, int sign) {
+    (void)sign;
+    app->state.loupe = !app->state.loupe;
+}
+
 static void change_help(App *app, int sign) {
     (void)sign;
     app->state.help = !app->state.help;
@@ -202,6 +207,7 @@ static const Action actions[] = {
     {GLFW_KEY_KP_ADD, -1, change_pixel, 1, false, NULL, NULL},
     {GLFW_KEY_MINUS, -1, change_pixel, -1, false, NULL, NULL},
     {GLFW_KEY_KP_SUBTRACT, -1, change_pixel, -1, false, NULL, NULL},
+    {GLFW_KEY_Z, -1, change_loupe, 0, false, "Z", "a magnifying glass at the mouse"},
     {GLFW_KEY_H, -1, change_text, 0, false, "H", "hide or show the text"},
     {GLFW_KEY_F5, -1, rebuild, 0, false, "F5", "build again (saving a file does it, too)"},
     {GLFW_KEY_F1, -1, change_help, 0, false, "F1", "these keys"},

@@ -34,6 +34,19 @@ void screen_upload(Screen *screen, const Image *picture) {
     screen->height = picture->height;
 }
 
+// Draws a part of the picture (lower left corner and size, 0..1) over a place of the window.
+static void draw_part(const Screen *screen, vec4s part, const Place *place, GLint filter) {
+    glBindTexture(GL_TEXTURE_2D, screen->texture);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+    glViewport(place->x, place->y, place->width, place->height);
+    program_set_texture(&screen->program, "u_picture", 0, GL_TEXTURE_2D, screen->texture);
+    program_set_vec4s(&screen->program, "u_part", &part, 1);
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(screen->array);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
 void screen_draw(const Screen *screen, int window_width, int window_height, int pixel) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window_width, window_height);
@@ -43,16 +56,16 @@ void screen_draw(const Screen *screen, int window_width, int window_height, int 
         return;
     Place place = place_picture(screen->width, screen->height, window_width, window_height, pixel);
     bool whole = place.width % screen->width == 0 && place.height % screen->height == 0;
-    glBindTexture(GL_TEXTURE_2D, screen->texture);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, whole ? GL_NEAREST : GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, whole ? GL_NEAREST : GL_LINEAR);
-    glViewport(place.x, place.y, place.width, place.height);
-    program_set_texture(&screen->program, "u_picture", 0, GL_TEXTURE_2D, screen->texture);
-    glDisable(GL_DEPTH_TEST);
-    glBindVertexArray(screen->array);
-    glUseProgram(screen->program.id);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    draw_part(screen, (vec4s){{0, 0, 1, 1}}, &place, whole ? GL_NEAREST : GL_LINEAR);
     glViewport(0, 0, window_width, window_height);
+}
+
+void screen_loupe(const Screen *screen, const int pixel[2], int side, const Place *place) {
+    float width = (float)screen->width, height = (float)screen->height;
+    float columns = (float)place->width / (float)side, rows = (float)place->height / (float)side;
+    vec4s part = {{((float)pixel[0] + 0.5F - columns / 2) / width,
+                   (height - (float)pixel[1] - 0.5F - rows / 2) / height, columns / width, rows / height}};
+    draw_part(screen, part, place, GL_NEAREST);
 }
 
 bool screen_read(Image *image, const Place *place) {

@@ -21,5 +21,9 @@ void screen_upload(Screen *screen, const Image *picture);
 // Clears the window's framebuffer and draws the picture; unscaled ones bit for bit.
 void screen_draw(const Screen *screen, int window_width, int window_height, int pixel);
 
+// Draws what lies around a pixel of the picture (columns from the left, rows from the top), enlarged: one
+// pixel of the picture is `side` pixels of the window, inside `place`.
+void screen_loupe(const Screen *screen, const int pixel[2], int side, const Place *place);
+
 // Reads a part of the window's back buffer, without alpha. False with a message.
 bool screen_read(Image *image, const Place *place);

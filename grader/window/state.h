@@ -23,8 +23,8 @@ typedef struct State {
     Orbit camera, light;
     double time; // seconds that the light has swung
     bool running;
-    int pixel;       // side of a pixel of the picture in those of the window
-    bool help, text; // shown
+    int pixel;              // side of a pixel of the picture in those of the window
+    bool help, text, loupe; // shown
 } State;
 
 // The lab as it is graded for the whole picture, when it has a rubric with such a check; else the first

@@ -2,36 +2,29 @@
 // pixels.
 #include "arguments.h"
 #include "check.h"
-#include "home.h"
-#include "hud.h"
 #include "keys.h"
-#include "screen.h"
-#include "shader_source.h"
+#include "window.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <ctype.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
-static const float FONT_HEIGHT = 15;                       // at a content scale of 1
 static const double IDLE = 0.05, MOVING = 0.008, GRAB = 8; // seconds; seconds; window units beside the split
 
 static struct {
     AppOptions options;
     App app;
-    GLFWwindow *window;
-    Screen screen;
-    Text text;
-    float scale; // of the monitor's contents
+    Window window;
     double mouse_x, mouse_y, start;
     int buttons;      // bits
     bool drags_split; // since the button went down
     bool redraw;
     int saved; // pictures
-    int windowed[4];
     bool failed;
     char told[200]; // the last problem that was printed
 } view;
@@ -47,29 +40,13 @@ static void wake(void) {
     glfwPostEmptyEvent();
 }
 
-static void on_error(int code, const char *text) {
-    (void)code;
-    check_fail("the window: %s", text);
-}
-
-// Side of a pixel of the picture in those of the window.
-static int pixel_side(void) {
-    return view.app.state.pixel * (int)fmaxf(1, roundf(view.scale));
-}
-
 static void save_as(const char *path) {
-    Image image = {0};
-    int width, height;
-    glfwGetFramebufferSize(view.window, &width, &height);
-    Place place = place_picture(view.screen.width, view.screen.height, width, height, pixel_side());
-    screen_draw(&view.screen, width, height, pixel_side());
     check_clear();
-    bool ok = screen_read(&image, &place) && image_write_png(&image, path);
+    bool ok = window_save(&view.window, &view.app, path);
     app_notice(&view.app, ok ? "saved as %s" : "not saved: %s", ok ? path : check_message());
     printf("%s\n", view.app.notice);
     fflush(stdout);
     view.failed = view.failed || !ok;
-    image_destroy(&image);
     view.redraw = true;
 }
 
@@ -81,25 +58,21 @@ static void save(void) {
     save_as(path);
 }
 
-static void change_full_screen(void) {
-    int *was = view.windowed;
-    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
-    const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;
-    if (glfwGetWindowMonitor(view.window)) {
-        glfwSetWindowMonitor(view.window, NULL, was[0], was[1], was[2], was[3], GLFW_DONT_CARE);
-    } else if (mode) {
-        glfwGetWindowPos(view.window, &was[0], &was[1]);
-        glfwGetWindowSize(view.window, &was[2], &was[3]);
-        glfwSetWindowMonitor(view.window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
-    }
+// GLFW names keys by their place on an American keyboard; letters and signs are meant as they are printed.
+static int printed_key(int key, int code) {
+    const char *name = glfwGetKeyName(key, code);
+    if (!name || !name[0] || name[1])
+        return key;
+    if (isalpha((unsigned char)name[0]) || strchr("-=,.[]", name[0]))
+        return toupper((unsigned char)name[0]);
+    return name[0] == '+' ? GLFW_KEY_EQUAL : key;
 }
 
 static void on_key(GLFWwindow *window, int key, int code, int action, int modifiers) {
-    (void)code;
     if (action == GLFW_RELEASE)
         return;
     view.redraw = true;
-    switch (keys_press(&view.app, key, modifiers, action == GLFW_REPEAT)) {
+    switch (keys_press(&view.app, printed_key(key, code), modifiers, action == GLFW_REPEAT)) {
     case WISH_QUIT:
         glfwSetWindowShouldClose(window, GLFW_TRUE);
         break;
@@ -107,7 +80,7 @@ static void on_key(GLFWwindow *window, int key, int code, int action, int modifi
         save();
         break;
     case WISH_FULL_SCREEN:
-        change_full_screen();
+        window_change_full_screen(&view.window);
         break;
     case WISH_NOTHING:
         break;
@@ -116,7 +89,7 @@ static void on_key(GLFWwindow *window, int key, int code, int action, int modifi
 
 static bool is_at_split(double x) {
     int width, height;
-    glfwGetWindowSize(view.window, &width, &height);
+    glfwGetWindowSize(view.window.handle, &width, &height);
     return view.app.state.show == SHOW_SPLIT && fabs(x - view.app.state.split * width) < GRAB;
 }
 
@@ -132,9 +105,10 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
 static void on_cursor(GLFWwindow *window, double x, double y) {
     int width, height;
     glfwGetWindowSize(window, &width, &height);
-    bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
-    float dx = (float)((x - view.mouse_x) / fmax(height, 1)),
-          dy = (float)((y - view.mouse_y) / fmax(height, 1));
+    bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
+                 glfwGetKey(window, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
+    float dx = (float)((x - view.mouse_x) / fmax(height, 1));
+    float dy = (float)((y - view.mouse_y) / fmax(height, 1));
     view.mouse_x = x;
     view.mouse_y = y;
     if (view.drags_split)
@@ -160,77 +134,13 @@ static void on_size(GLFWwindow *window, int width, int height) {
     view.redraw = true;
 }
 
-// Text and pixels follow the monitor: on a HiDPI one both are larger.
-static bool follow_scale(void) {
-    float x = 1, y = 1;
-    glfwGetWindowContentScale(view.window, &x, &y);
-    if (x == view.scale)
-        return true;
-    view.scale = x;
-    text_destroy(&view.text);
-    return text_create(&view.text, FONT_HEIGHT * x);
-}
-
-static bool open_window(void) {
-    static char shaders[FILES_PATH], own_shaders[FILES_PATH];
-    glfwSetErrorCallback(on_error);
-    if (!glfwInit())
-        return check_fail("no window can be opened: is there a display?");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_FALSE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-    view.window =
-        glfwCreateWindow(view.options.request.width, view.options.request.height, "Shadow Lab", NULL, NULL);
-    if (!view.window)
-        return check_fail("no window with OpenGL 4.1 can be opened");
-    glfwMakeContextCurrent(view.window);
-    glfwSwapInterval(1);
-    home_path(shaders, "shaders");
-    home_path(own_shaders, "grader/window");
-    shader_source_folders(own_shaders, shaders);
-    return gl_load((GLADloadfunc)glfwGetProcAddress) && screen_create(&view.screen) && follow_scale();
-}
-
-static void set_callbacks(void) {
-    glfwSetKeyCallback(view.window, on_key);
-    glfwSetMouseButtonCallback(view.window, on_button);
-    glfwSetCursorPosCallback(view.window, on_cursor);
-    glfwSetScrollCallback(view.window, on_scroll);
-    glfwSetWindowRefreshCallback(view.window, on_refresh);
-    glfwSetFramebufferSizeCallback(view.window, on_size);
-}
-
-// The mouse in pixels of the picture.
-static void find_cursor(int cursor[2], int width, int height) {
-    int units_x, units_y;
-    glfwGetWindowSize(view.window, &units_x, &units_y);
-    Place place = place_picture(view.screen.width, view.screen.height, width, height, pixel_side());
-    double x = view.mouse_x * width / fmax(units_x, 1) - place.x,
-           y = view.mouse_y * height / fmax(units_y, 1) - (height - place.y - place.height);
-    cursor[0] = (int)floor(x * view.screen.width / fmax(place.width, 1));
-    cursor[1] = (int)floor(y * view.screen.height / fmax(place.height, 1));
-    if (!glfwGetWindowAttrib(view.window, GLFW_HOVERED))
-        cursor[0] = cursor[1] = -1;
-}
-
-static void draw(int width, int height) {
-    int cursor[2] = {-1, -1};
-    char title[400];
-    hud_title(&view.app, title, sizeof title);
-    glfwSetWindowTitle(view.window, title);
-    if (view.screen.width > 0)
-        find_cursor(cursor, width, height);
-    screen_draw(&view.screen, width, height, pixel_side());
-    hud_put(&view.text, &view.app, width, height, cursor);
-    text_draw(&view.text, width, height);
-    glfwSwapBuffers(view.window);
-    view.redraw = false;
+static void set_callbacks(GLFWwindow *window) {
+    glfwSetKeyCallback(window, on_key);
+    glfwSetMouseButtonCallback(window, on_button);
+    glfwSetCursorPosCallback(window, on_cursor);
+    glfwSetScrollCallback(window, on_scroll);
+    glfwSetWindowRefreshCallback(window, on_refresh);
+    glfwSetFramebufferSizeCallback(window, on_size);
 }
 
 // In the terminal, too, where a click on file:line opens the editor.
@@ -243,56 +153,67 @@ static void tell_problem(void) {
         fprintf(stderr, "view: %s\n", problem);
 }
 
-static bool is_late(void) {
+// Something on the screen changes by itself: a clock of what is late, a notice that goes.
+static bool is_restless(void) {
     for (int i = 0; i < FEED_COUNT; i++)
         if (view.app.news[i].busy_since > 0)
             return true;
-    return false;
+    return process_now() < view.app.notice_until + 1;
+}
+
+static void draw(void) {
+    int cursor[2];
+    window_find(&view.window, view.app.state.pixel, view.mouse_x, view.mouse_y, cursor);
+    window_draw(&view.window, &view.app, cursor);
+    view.redraw = false;
+}
+
+static int at_least_one(int value) {
+    return value > 1 ? value : 1;
+}
+
+static void show(void) {
+    const Window *window = &view.window;
+    int pixel = window_pixel(window, view.app.state.pixel);
+    if (app_tick(&view.app, at_least_one(window->width / pixel), at_least_one(window->height / pixel))) {
+        screen_upload(&view.window.screen, &view.app.composed);
+        view.redraw = true;
+    }
+    if (view.redraw || view.app.heard || is_restless())
+        draw();
 }
 
 // One turn. False when the window is to close.
 static bool turn(void) {
-    int width, height;
     glfwWaitEventsTimeout(view.app.state.running ? MOVING : IDLE);
-    glfwGetFramebufferSize(view.window, &width, &height);
-    if (!follow_scale())
+    if (!window_measure(&view.window))
         return false;
-    bool visible = width > 0 && height > 0 && !glfwGetWindowAttrib(view.window, GLFW_ICONIFIED);
-    int pixel = pixel_side();
-    if (visible &&
-        app_tick(&view.app, width / pixel > 0 ? width / pixel : 1, height / pixel > 0 ? height / pixel : 1)) {
-        screen_upload(&view.screen, &view.app.composed);
-        view.redraw = true;
-    }
-    view.redraw = view.redraw || view.app.heard;
+    if (view.window.width > 0 && view.window.height > 0 &&
+        !glfwGetWindowAttrib(view.window.handle, GLFW_ICONIFIED))
+        show();
     tell_problem();
-    if (visible && (view.redraw || is_late() || process_now() < view.app.notice_until + 1))
-        draw(width, height);
     if (view.options.screenshot && view.app.settled) {
         save_as(view.options.screenshot);
         view.failed = view.failed || view.app.news[FEED_MINE].problem[0];
         return false;
     }
     bool over = view.options.quit_after > 0 && process_now() - view.start > view.options.quit_after;
-    return !over && !stopped && !glfwWindowShouldClose(view.window);
+    return !over && !stopped && !glfwWindowShouldClose(view.window.handle);
 }
 
 static bool run(void) {
+    const Request *size = &view.options.request;
     view.start = process_now();
-    bool ok = open_window() && app_create(&view.app, &view.options, wake);
+    bool ok =
+        window_open(&view.window, size->width, size->height) && app_create(&view.app, &view.options, wake);
     if (ok) {
-        set_callbacks();
-        glfwShowWindow(view.window);
+        set_callbacks(view.window.handle);
+        glfwShowWindow(view.window.handle);
     }
     while (ok && turn())
         ;
     app_destroy(&view.app);
-    if (view.window) {
-        text_destroy(&view.text);
-        screen_destroy(&view.screen);
-        glfwDestroyWindow(view.window);
-    }
-    glfwTerminate();
+    window_close(&view.window);
     return ok && !view.failed;
 }
 
