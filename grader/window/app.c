@@ -47,7 +47,7 @@ static bool has_solution(const App *app) {
 }
 
 static void start_feed(App *app, FeedKind kind, void (*wake)(void)) {
-    const FeedSetup setup = {kind, &app->rubric, app->folder, app->options->context, app->options->seconds,
+    const FeedSetup setup = {{kind, &app->rubric, app->folder, app->options->context, app->options->seconds},
                              wake};
     if (kind == FEED_REFERENCE && !has_solution(app))
         check_fail("no reference here: the solutions are not handed out");
@@ -126,10 +126,9 @@ static bool all_settled(const App *app) {
 }
 
 void app_renew(App *app) {
-    if (app->feeds[FEED_MINE].running)
-        feed_renew(&app->feeds[FEED_MINE]);
-    if (app->feeds[FEED_REFERENCE].running)
-        feed_renew(&app->feeds[FEED_REFERENCE]);
+    for (int i = 0; i < FEED_COUNT; i++)
+        if (app->feeds[i].running)
+            feed_renew(&app->feeds[i]);
 }
 
 static void look_at_files(App *app, double now) {
@@ -143,13 +142,12 @@ static void look_at_files(App *app, double now) {
 }
 
 static void look_at_feeds(App *app) {
-    static FeedNews before;
     app->heard = false;
     for (int i = 0; i < FEED_COUNT; i++)
         if (app->feeds[i].running) {
-            before = app->news[i];
+            uint64_t before = app->news[i].changes;
             feed_look(&app->feeds[i], &app->news[i]);
-            app->heard = app->heard || memcmp(&before, &app->news[i], sizeof before) != 0;
+            app->heard = app->heard || app->news[i].changes != before;
         }
     FeedKind source = app->news[FEED_MINE].described ? FEED_MINE : FEED_REFERENCE;
     app->table = app->news[source].description;
@@ -189,8 +187,7 @@ static void ask(App *app, FeedKind kind) {
 // A new request, once all have answered the old one. False when there is nothing new to ask for.
 static bool renew_request(App *app, int width, int height) {
     Request request;
-    if (!state_request(&app->state, width, height, &request) ||
-        memcmp(&request, &app->request, sizeof request) == 0)
+    if (!state_request(&app->state, width, height, &request) || state_same(&request, &app->request))
         return false;
     app->request = request;
     app->number++;

@@ -15,7 +15,7 @@ typedef struct AppOptions {
     double quit_after, seconds; // 0: never; that a frame of mine may take
     Request request;            // size of the window in its own units, view and knobs
     ContextKind context;
-    bool against_truth, bare; // bare: without text
+    bool help, against_truth, bare; // bare: without text
 } AppOptions;
 
 typedef struct App {
@@ -51,7 +51,7 @@ void app_destroy(App *app); // accepts a zeroed app
 // `composed` is new.
 bool app_tick(App *app, int width, int height);
 
-// Makes both feeds build again.
+// Makes all feeds build and start again.
 void app_renew(App *app);
 
 // The feed whose picture is "the other one" now.

@@ -77,6 +77,8 @@ static bool take_option(AppOptions *options, int option, char *value) {
         return context_parse(&options->context, value);
     case 'p':
         return options->screenshot = value, true;
+    case 'h':
+        return options->help = true;
     case 'q':
         return take_seconds(&options->quit_after, value);
     default:
@@ -99,11 +101,13 @@ bool arguments_parse(AppOptions *options, int count, char **arguments) {
                                           {"context", required_argument, NULL, 'c'},
                                           {"screenshot", required_argument, NULL, 'p'},
                                           {"quit-after", required_argument, NULL, 'q'},
+                                          {"help", no_argument, NULL, 'h'},
                                           {0}};
     *options = (AppOptions){.seed = 1, .seconds = 10, .request = {.width = 800, .height = 600}};
     opterr = 0;
     for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;)
         if (!take_option(options, option, optarg))
             return false;
-    return (options->lab[0] && optind == count) || check_fail("--lab NN is needed, as in: make run LAB=05");
+    return options->help || (options->lab[0] && optind == count) ||
+           check_fail("--lab NN is needed, as in: make run LAB=05");
 }

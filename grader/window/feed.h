@@ -4,27 +4,20 @@
 // goes on.
 #pragma once
 
-#include "client.h"
-#include "compile.h"
-#include "rubric.h"
+#include "drawer.h"
 
 #include <pthread.h>
 #include <stdbool.h>
 #include <stdint.h>
 
-typedef enum FeedKind { FEED_MINE, FEED_REFERENCE, FEED_TRUTH, FEED_COUNT } FeedKind;
-
 typedef struct FeedSetup {
-    FeedKind kind;
-    const Rubric *rubric;   // its files are taken
-    const char *submission; // FEED_MINE: the lab's folder
-    ContextKind context;
-    double seconds;     // that a frame may take
+    DrawerSetup drawer;
     void (*wake)(void); // called from the thread when there is news
 } FeedSetup;
 
 // What is known of a feed at one moment.
 typedef struct FeedNews {
+    uint64_t changes;   // so far: grows when anything here may have changed
     uint64_t answered;  // number of the last request that was drawn or failed
     uint64_t pictures;  // number of pictures so far
     uint64_t described; // number of descriptions so far
@@ -51,11 +44,10 @@ typedef struct Feed {
     int again; // frames to draw once more: the first ones of a worker pay for its shaders
     Image picture;
     FeedNews news;
-    int drawing; // of `clients`: is being waited for, and may be cancelled; -1: none
+    int drawing; // of `drawers`: is being waited for, and may be cancelled; -1: none
     // The thread's own.
-    Client clients[2]; // one draws, the other one tries new files
-    Description descriptions[2];
-    int current; // of `clients`
+    Drawer drawers[2]; // one draws, the other one tries new files
+    int current;       // of `drawers`
     Image canvas;
 } Feed;
 

@@ -72,6 +72,11 @@ bool state_request(const State *state, int width, int height, Request *request) 
     return true;
 }
 
+bool state_same(const Request *a, const Request *b) {
+    const unsigned char *bytes = (const unsigned char *)a, *others = (const unsigned char *)b;
+    return memcmp(bytes, others, sizeof *a) == 0; // both began as zeroes, padding included
+}
+
 static int find_knob(const State *state, const char *name) {
     int i = 0;
     while (i < state->knob_count && strcmp(state->knobs[i].name, name) != 0)

@@ -34,6 +34,9 @@ void state_begin(State *state, const Rubric *rubric);
 // What is to be drawn. False with a message when there is no such scene.
 bool state_request(const State *state, int width, int height, Request *request);
 
+// Do two requests of state_request ask for the same?
+bool state_same(const Request *a, const Request *b);
+
 // Does this state need the picture of mine, of the reference, of the truth?
 bool state_needs_mine(const State *state);
 bool state_needs_reference(const State *state);

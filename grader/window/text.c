@@ -163,9 +163,10 @@ static void add_quad(Text *text, const Glyph *at, Color color) {
 }
 
 float text_put(Text *text, float x, float y, Color color, const char *string) {
-    float pen = roundf(x), base = roundf(y) + text->ascent;
-    for (const char *at = string; *at; at++, pen += text->advance) {
+    float base = roundf(y) + text->ascent;
+    for (const char *at = string; *at; at++) {
         int index = (*at < TEXT_FIRST || *at >= TEXT_FIRST + TEXT_COUNT ? '?' : *at) - TEXT_FIRST;
+        float pen = roundf(x) + (float)(at - string) * text->advance;
         Glyph placed = text->glyphs[index];
         placed.left += pen;
         placed.right += pen;

@@ -226,6 +226,10 @@ int main(int count, char **arguments) {
         fprintf(stderr, "view: %s\n%s", check_message(), arguments_usage);
         return 2;
     }
+    if (view.options.help) {
+        fputs(arguments_usage, stdout);
+        return 0;
+    }
     bool ok = run();
     if (check_message()[0])
         fprintf(stderr, "view: %s\n", check_message());
