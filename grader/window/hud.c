@@ -112,9 +112,9 @@ static void add_problems(const App *app, Lines *lines) {
             continue;
         if (news->problem[0]) {
             check_append(line, sizeof line, "%s: %s", names[kind],
-                         news->outdated ? "the newest files do not work; this is what drew before"
-                         : news->dead   ? "stopped; it starts again when you save, or with F5"
-                                        : "not drawn");
+                         news->dead       ? "stopped; it starts again when you save, or with F5"
+                         : news->outdated ? "the newest files do not work; this is what drew before"
+                                          : "not drawn");
             lines_add(lines, accent, line);
         }
         lines_add(lines, white, news->problem);

@@ -177,6 +177,8 @@ void state_text(const State *state, const Rubric *rubric, char *text, size_t siz
     check_append(text, size, "%s of \"%s\", seed %llu",
                  state_needs_truth(state) ? VIEW_VISIBILITY : state->view, state->scene,
                  (unsigned long long)state->seed);
+    if (state->time != 0)
+        check_append(text, size, ", light at %.1f s", state->time);
     if (state->check >= 0)
         check_append(text, size, "  [check %s: %s]", rubric->checks[state->check].task,
                      rubric->checks[state->check].name);

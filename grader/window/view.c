@@ -93,6 +93,14 @@ static bool is_at_split(double x) {
     return view.app.state.show == SHOW_SPLIT && fabs(x - view.app.state.split * width) < GRAB;
 }
 
+// The pointer says that the split can be taken.
+static void show_pointer(bool at_split) {
+    static GLFWcursor *sideways; // freed by glfwTerminate
+    if (!sideways)
+        sideways = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
+    glfwSetCursor(view.window.handle, at_split ? sideways : NULL);
+}
+
 static void on_button(GLFWwindow *window, int button, int action, int modifiers) {
     (void)window, (void)modifiers;
     if (action == GLFW_PRESS)
@@ -111,6 +119,7 @@ static void on_cursor(GLFWwindow *window, double x, double y) {
     float dy = (float)((y - view.mouse_y) / fmax(height, 1));
     view.mouse_x = x;
     view.mouse_y = y;
+    show_pointer(view.drags_split || (!view.buttons && is_at_split(x)));
     if (view.drags_split)
         view.app.state.split = fminf(fmaxf((float)(x / fmax(width, 1)), 0), 1);
     else if (view.buttons)
