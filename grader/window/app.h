@@ -57,4 +57,5 @@ void app_renew(App *app);
 // The feed whose picture is "the other one" now.
 FeedKind app_other(const App *app);
 
+// Says for a few seconds what a key has done.
 void app_notice(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));

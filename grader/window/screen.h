@@ -13,9 +13,11 @@ typedef struct Screen {
     int width, height; // of the picture, 0: none yet
 } Screen;
 
+// False with a message.
 bool screen_create(Screen *screen);
 void screen_destroy(Screen *screen); // accepts a zeroed screen
 
+// Takes another picture, of any size.
 void screen_upload(Screen *screen, const Image *picture);
 
 // Clears the window's framebuffer and draws the picture; unscaled ones bit for bit.
