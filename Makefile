@@ -14,20 +14,21 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
-TOOLS := grade frame skeletons prove bench_frames bench_truth truth_worker
+TOOLS := grade frame skeletons prove scenes bench_frames bench_truth truth_worker stability
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
 SERVERS := $(BUILD)/grader/transfer.o # of every program that answers requests
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
-ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth truth_worker test_truth test_truth_occlusion test_truth_lab)
+ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth truth_worker stability test_truth test_truth_occlusion test_truth_lab)
 # The window, the only user of GLFW and stb; the truth is one of its views where Embree is there.
 WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
 VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
-ON_STUDY := $(patsubst %,$(BUILD)/%,test_truth_lab)
+ON_STUDY := $(patsubst %,$(BUILD)/%,stability test_truth_lab)
+STABILITY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/stability/*.c))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -59,10 +60,10 @@ skeletons: build ## make labs/ from solutions/
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@grader/pictures $(LAB)
 
-table: build ## prove the rubrics and put the table into grader/README.md
+table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@grader/table
 
-test: build $(TESTS) ## run all tests
+test: build $(BUILD)/stability $(TESTS) ## run all tests
 	@grader/tests/run $(BUILD)
 
 sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
@@ -71,6 +72,9 @@ sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of r
 
 check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 	@grader/gates $(BUILD)
+
+stability: build $(BUILD)/stability ## where each method breaks: all rows, and build/study/stability.html
+	@$(BUILD)/stability $(ARGS)
 
 bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)
@@ -99,6 +103,8 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(ON_TRUTH): $(TRUTH)
 $(ON_STUDY): $(STUDY)
+$(BUILD)/stability: $(STABILITY)
+$(BUILD)/test_curve: $(BUILD)/grader/stability/curve.o
 $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
@@ -116,6 +122,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: sanitize build grade demo run hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: sanitize build grade demo run hint skeletons pictures table test check stability bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
