@@ -16,20 +16,24 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
 # Those that are there: the student's kit does without some.
-TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record scenes bench_frames bench_truth \
+TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record scenes bench_frames bench_truth truth_worker \
 	stability)))
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view capture)
+SERVERS := $(BUILD)/grader/transfer.o # of every program that answers requests
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
-ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth stability test_truth test_truth_occlusion test_truth_lab)
+ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth truth_worker stability test_truth test_truth_occlusion test_truth_lab)
 # The jail: the keeper's side belongs to the grader; the programs of inside/ stand alone. The shim is static where the
 # system has the archives, so that a process inside begins sooner.
 JAIL := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/*.c))
 INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
 STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-static)
 GRADER += $(JAIL)
+# The window, the only user of GLFW and stb; the truth is one of its views where Embree is there.
+WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
+VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
 ON_STUDY := $(patsubst %,$(BUILD)/%,stability test_truth_lab)
@@ -44,7 +48,7 @@ TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c
 # The watch: a program of several files.
 WATCH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/watch/*.c))
 
-build: $(BUILD)/worker $(BUILD)/watch $(INSIDE) $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+build: $(BUILD)/worker $(BUILD)/watch $(VIEW) $(INSIDE) $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(if $(filter labs,$(SUBMISSION)),--record) $(ARGS) $(SUBMISSION)
@@ -58,6 +62,9 @@ progress: $(BUILD)/watch ## how far am I in all labs?
 demo: build ## grade the labs as shipped, then the solutions
 	$(BUILD)/grade labs || true
 	$(BUILD)/grade solutions
+
+run: build $(BUILD)/view ## open a lab in a window: make run LAB=05 [ARGS="--seed 2"]
+	$(BUILD)/view $(if $(LAB),--lab $(LAB)) $(if $(filter-out labs,$(SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
 
 hint: ## show the hints of a task: make hint TASK=3.2
 	@grader/hint $(TASK)
@@ -141,7 +148,8 @@ $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
 $(BUILD)/grader/score.o: CFLAGS += -O3 # the vectors halve what a picture costs
-$(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
+$(BUILD)/test_view: $(patsubst %,$(BUILD)/grader/window/%.o,compose knob_step orbit place state watch)
+$(BUILD)/worker: $(WORKER) $(SERVERS) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
 $(INSIDE): override SANITIZE :=
@@ -164,12 +172,15 @@ $(BUILD)/jail_unpack: $(call inside,unpack)
 	$(CC) -o $@ $^ -larchive
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
+$(WINDOW): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
+$(BUILD)/view: $(WINDOW) $(GRADER) $(COMMON) $(GLAD)
+	$(CC) $(SANITIZE) -pthread -o $@ $^ $(LIBS) $(shell pkg-config --libs glfw3)
 $(BUILD)/watch: $(WATCH) $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o $(GRADER) $(NO_GL)
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: test-hostile kit gradescope sanitize build grade watch progress trace site demo hint skeletons pictures table test check stability bench compile_commands.json reset clean help
+.PHONY: test-hostile kit gradescope sanitize build grade run watch progress trace site demo hint skeletons pictures table test check stability bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
