@@ -84,7 +84,7 @@ const Lab lab = {
                  [PROGRAM_SHADOW] = {"scene.vert", "shadow.frag", NULL}},
     .knobs = {[KNOB_METHOD] = {"method", "", METHOD_HARD, METHOD_GATHER, METHOD_BOX},
               [KNOB_RADIUS] = {"kernel radius", "texels", 0, 8, 2},
-              [KNOB_MAP_SIZE] = {"map size", "texels", 16, 2048, 256}},
+              [KNOB_MAP_SIZE] = {"map size", "texels", 16, 4096, 256}},
     .passes = {{"shadow map", draw_map}, {"picture", draw_picture}},
     .stages = {{"shadow map", &state.map.texture}},
     .create = create,
