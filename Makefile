@@ -14,16 +14,16 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
-TOOLS := grade frame skeletons prove bench_frames bench_truth
+TOOLS := grade frame skeletons prove bench_frames bench_truth chart
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
-ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion test_truth_lab)
+ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth chart test_truth test_truth_occlusion test_truth_lab test_study)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
-ON_STUDY := $(patsubst %,$(BUILD)/%,test_truth_lab)
+ON_STUDY := $(patsubst %,$(BUILD)/%,chart test_truth_lab test_study)
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -31,7 +31,7 @@ NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_e
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 
-build: $(BUILD)/worker $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+build: $(BUILD)/worker $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
@@ -64,6 +64,9 @@ check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 
 bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)
+
+study: build $(BUILD)/chart ## chart speed against error: make study [LAB=05 [SUBMISSION=labs]] [ARGS=--quick]
+	$(BUILD)/chart $(if $(LAB),--lab $(LAB)) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
@@ -100,6 +103,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: sanitize build grade demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: sanitize build grade demo hint skeletons pictures table test check bench study compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

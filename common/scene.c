@@ -8,7 +8,7 @@ mat4s camera_clip_from_view(const Camera *camera, float aspect) {
     return glms_perspective(camera->fov_y, aspect, camera->near_plane, camera->far_plane);
 }
 
-mat4s light_clip_from_world(const Light *light) {
+mat4s scene_light_clip_from_world(const Light *light) {
     float r = light->half_size;
     mat4s clip_from_light = light->kind == LIGHT_SPOT
                                 ? glms_perspective(light->fov_y, 1, light->near_plane, light->far_plane)

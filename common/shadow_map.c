@@ -22,7 +22,7 @@ void shadow_map_destroy(ShadowMap *map) {
 }
 
 mat4s shadow_map_clip_from_world(const Light *light) {
-    return light_clip_from_world(light);
+    return scene_light_clip_from_world(light);
 }
 
 void shadow_map_begin(const ShadowMap *map) {
