@@ -14,8 +14,8 @@ enum { COLORS = 10 };
 
 // Apart from each other also without red or green (Okabe, Ito: Color Universal Design, 2008), and in their
 // shapes.
-static const char *const colors[COLORS] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00",
-                                           "#56b4e9", "#000000", "#7f7f00", "#6a3d9a", "#8c564b"};
+static const char *const colors[COLORS] = {"#0072b2", "#d55e00", "#009e73", "#b45a8c", "#b87d00",
+                                           "#2c8fc9", "#000000", "#7f7f00", "#6a3d9a", "#8c564b"};
 static const int shapes[COLORS] = {7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
 
 static bool same_family(const Finding *finding, const char *family, bool submission) {
@@ -96,16 +96,30 @@ static bool write_data(const Findings *findings, const char *path) {
     return fclose(file) == 0 || check_fail("%s cannot be written", path);
 }
 
+// A little more than from the smallest to the largest error.
+static void write_range(FILE *file, const Findings *findings) {
+    double low = 1, high = CHART_LEAST_ERROR;
+    for (int i = 0; i < findings->count; i++)
+        if (findings->findings[i].drawn) {
+            low = fmin(low, fmax(findings->points[i].error, CHART_LEAST_ERROR));
+            high = fmax(high, findings->points[i].error);
+        }
+    fprintf(file, "set yrange [%g:%g]\n", low / 1.5, high * 1.5);
+}
+
 static void write_axes(FILE *file, const StudyScene *scene) {
     fprintf(file,
             "set terminal svg size 920,560 font 'sans-serif,13' background 'white'\n"
             "set output '%s.svg'\n"
             "set title '%s'\n"
             "set logscale xy\n"
-            "set xlabel 'CPU time of a frame, ms (median; bars: MAD)'\n"
+            "set xlabel 'CPU time of a frame, ms (median; bars: MAD). A GPU may rank them otherwise.'\n"
             "set ylabel 'error: false shadow + false light, mean over the picture'\n"
             "set xtics add (0.5, 1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 500, 700, 1000)\n"
-            "set format y '10^{%%T}'\nset offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\n"
+            "set ytics ('100 %%%%' 1, '10 %%%%' 0.1, '1 %%%%' 0.01, '0.1 %%%%' 1e-3, '0.01 %%%%' 1e-4, "
+            "'0.001 %%%%' "
+            "1e-5, 'none' 1e-6)\n"
+            "set autoscale xfix\nset offsets graph 0.03, graph 0.03, 0, 0\n"
             "set grid xtics ytics lc rgb '#dddddd' lt 1 lw 1\nset key outside right top reverse Left spacing "
             "1.2\n"
             "set bars 0.5\n",
@@ -117,6 +131,7 @@ static bool write_script(const Findings *findings, const char *path) {
     if (!file)
         return check_fail("%s: %s", path, strerror(errno));
     write_axes(file, findings->scene);
+    write_range(file, findings);
     const char *name = findings->scene->name;
     fprintf(file, "plot '%s.dat' index 0 using 1:2 with steps lc rgb '#999999' lw 2 title 'front', \\\n",
             name);

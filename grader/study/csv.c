@@ -26,7 +26,7 @@ void csv_write(FILE *file, const Findings *findings) {
         const Point *point = &findings->points[i];
         if (!f->drawn)
             continue;
-        fprintf(file, "%s,%s,%s,%s,%s,", findings->scene->name, f->method.lab,
+        fprintf(file, "%s,%s,%s,\"%s\",\"%s\",", findings->scene->name, f->method.lab,
                 f->method.submission ? "submission" : "ours", f->method.family, f->method.name);
         fprintf(file, "%d,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,", f->frames, point->ms, point->mad, f->prepare_ms,
                 f->prepare_mad, f->shade_ms, f->shade_mad);

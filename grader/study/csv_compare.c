@@ -18,18 +18,20 @@ typedef struct Table {
     int count;
 } Table;
 
-// Cuts the line at its commas; false when it has another number of fields.
+// Cuts the line at its commas outside quotes, which go; false when it has another number of fields.
 static bool split(char *line, char *fields[COLUMNS]) {
     int count = 0;
-    for (char *at = line; at && count < COLUMNS; count++) {
-        fields[count] = at;
-        at = strchr(at, ',');
-        if (at)
-            *at++ = '\0';
-        else
-            return count == COLUMNS - 1;
+    for (char *at = line; at; count++) {
+        bool is_quoted = *at == '"';
+        char *end = is_quoted ? strchr(at + 1, '"') : at + strcspn(at, ",");
+        if (!end || count == COLUMNS || (is_quoted && end[1] != ',' && end[1] != '\0'))
+            return false;
+        fields[count] = at + is_quoted;
+        char *comma = end + is_quoted;
+        at = *comma ? comma + 1 : NULL;
+        *end = *comma = '\0';
     }
-    return false;
+    return count == COLUMNS;
 }
 
 static bool take(Table *table, char *line) {

@@ -105,7 +105,7 @@ void findings_tell(const Findings *findings, char *text, size_t size) {
     check_append(text, size, "%s, %s (lab %s)", chosen->method.family, chosen->method.name,
                  chosen->method.lab);
     if (!next) {
-        check_append(text, size, "; nothing cheaper lies on the front");
+        check_append(text, size, "; nothing is cheaper");
         return;
     }
     check_append(text, size, "; the next cheaper, %s, %s (lab %s): ", next->method.family, next->method.name,

@@ -2,42 +2,47 @@
 #include "method.h"
 #include "scenes.h"
 
+#include <stdio.h>
+
 static const int sizes[] = {256, 512, 1024, 2048, 4096};
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
 // Values of the knob "method" of lab 04.
 enum { NONE, CONSTANT, SLOPE, OFFSET, FACES, NORMAL };
 
-static Setting *add_bias(MethodList *list, int size, int method, const char *family, const char *knob,
-                         float value) {
-    Method *added = value >= 0 ? method_add_map(list, "04", family, size, "%g", (double)value)
-                               : method_add_map(list, "04", family, size, "%s", "");
-    setting_knob(&added->setting, "method", (float)method);
-    if (value >= 0)
-        setting_knob(&added->setting, knob, value);
-    return &added->setting;
+// `format` names the knob's value.
+static Setting *add_bias(MethodList *list, int size, const char *family, int method, const char *knob,
+                         float value, const char *format) {
+    char name[METHOD_NAME];
+    snprintf(name, sizeof name, format, (double)value);
+    Setting *setting = &method_add_map(list, "04", family, size, "%s", name)->setting;
+    setting_knob(setting, "method", (float)method);
+    if (knob)
+        setting_knob(setting, knob, value);
+    return setting;
 }
 
 static void add_biases(MethodList *list, int size) {
-    add_bias(list, size, NONE, "no bias", NULL, -1);
-    add_bias(list, size, CONSTANT, "constant bias", "bias", 0.002f);
-    add_bias(list, size, CONSTANT, "constant bias", "bias", 0.01f);
-    setting_knob(add_bias(list, size, SLOPE, "slope bias", "slope bias", 0.03f), "bias", 0.001f);
-    add_bias(list, size, OFFSET, "polygon offset", "factor", 1);
-    add_bias(list, size, OFFSET, "polygon offset", "factor", 2);
-    add_bias(list, size, FACES, "front faces culled", NULL, -1);
-    add_bias(list, size, NORMAL, "normal offset", "normal offset", 0.5f);
-    add_bias(list, size, NORMAL, "normal offset", "normal offset", 1);
+    add_bias(list, size, "no bias", NONE, NULL, 0, "");
+    add_bias(list, size, "constant bias", CONSTANT, "bias", 0.002f, "bias %g");
+    add_bias(list, size, "constant bias", CONSTANT, "bias", 0.01f, "bias %g");
+    Setting *slope = add_bias(list, size, "slope bias", SLOPE, "slope bias", 0.03f, "slope bias %g");
+    setting_knob(slope, "bias", 0.001f);
+    add_bias(list, size, "polygon offset", OFFSET, "factor", 1, "factor %g");
+    add_bias(list, size, "polygon offset", OFFSET, "factor", 2, "factor %g");
+    add_bias(list, size, "front faces culled", FACES, NULL, 0, "");
+    add_bias(list, size, "normal offset", NORMAL, "normal offset", 0.5f, "%g texels");
+    add_bias(list, size, "normal offset", NORMAL, "normal offset", 1, "%g texel");
 }
 
 void methods_of_bias(MethodList *list) {
     for (int i = 0; i < SIZES; i++)
         add_biases(list, sizes[i]);
     for (int bits = 16; bits <= 32; bits += 16) {
-        Method *method = method_add_map(list, "04", "polygon offset", 1024, "2 depth of %d bits", bits);
-        setting_knob(&method->setting, "method", OFFSET);
-        setting_knob(&method->setting, "factor", 2);
-        setting_knob(&method->setting, "depth format", (float)bits);
+        Setting *setting =
+            add_bias(list, 1024, "polygon offset", OFFSET, "factor", 2,
+                     bits == 16 ? "factor %g, 16 bits of depth" : "factor %g, 32 bits of depth");
+        setting_knob(setting, "depth format", (float)bits);
     }
 }
 
@@ -63,7 +68,7 @@ static void add_filter(MethodList *list, Filter filter, int size) {
 void methods_of_edges(MethodList *list) {
     const Filter filters[] = {hard, by_hand, linear, diagonals, box_5, gather};
     for (int i = 0; i < SIZES; i++) {
-        method_add_map(list, "03", "basic map", sizes[i], "%s", "");
+        method_add_map(list, "03", "basic", sizes[i], "%s", "");
         for (unsigned f = 0; f < sizeof filters / sizeof filters[0]; f++)
             add_filter(list, filters[f], sizes[i]);
     }
@@ -74,7 +79,7 @@ static void add_random(MethodList *list, int size, int columns, int rows, bool e
     int samples = columns * rows;
     Method *method =
         method_add_map(list, "06", early_out ? "random with early-out" : "random", size,
-                       wide == 1 ? "%d samples" : "%d samples radius x %g", samples, (double)wide);
+                       wide == 1 ? "%d samples" : "%d samples, radius x %g", samples, (double)wide);
     setting_knob(&method->setting, "columns", (float)columns);
     setting_knob(&method->setting, "rows", (float)rows);
     setting_knob(&method->setting, "radius", wide * (float)size / SCENES_KERNEL);
@@ -111,10 +116,12 @@ void methods_of_penumbra(MethodList *list) {
 }
 
 void methods_of_volumes(MethodList *list) {
-    const Filter filters[] = {hard, linear, gather};
-    for (int i = 0; i < SIZES; i++)
+    const Filter filters[] = {linear, gather};
+    for (int i = 0; i < SIZES; i++) {
+        method_add_map(list, "03", "basic", sizes[i], "%s", "");
         for (unsigned f = 0; f < sizeof filters / sizeof filters[0]; f++)
             add_filter(list, filters[f], sizes[i]);
+    }
     for (int z_fail = 0; z_fail < 2; z_fail++)
         for (int on_cpu = 0; on_cpu < 2; on_cpu++) {
             Method *method = method_add(list, "07", z_fail ? "z-fail volumes" : "z-pass volumes", "%s",

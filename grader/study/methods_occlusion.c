@@ -2,7 +2,7 @@
 #include "method.h"
 
 static void add_baked(MethodList *list, int density, int rays) {
-    Method *method = method_add(list, "08", "baked", "%d texels a unit %d rays", density, rays);
+    Method *method = method_add(list, "08", "baked", "%d texels a unit, %d rays", density, rays);
     setting_knob(&method->setting, "texel density", (float)density);
     setting_knob(&method->setting, "rays", (float)rays);
     method->baked = true;
