@@ -52,7 +52,7 @@ pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 table: build ## prove the rubrics and put the table into grader/README.md
 	@grader/table
 
-test: build $(TESTS) ## run all tests
+test: build $(TESTS) $(BUILD)/chart ## run all tests
 	@grader/tests/run $(BUILD)
 
 sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
@@ -67,6 +67,9 @@ bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and t
 
 study: build $(BUILD)/chart ## chart speed against error: make study [LAB=05 [SUBMISSION=labs]] [ARGS=--quick]
 	$(BUILD)/chart $(if $(LAB),--lab $(LAB)) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
+
+chart: build $(BUILD)/chart ## measure the study anew and put its chart and its findings into README.md
+	@grader/study/publish $(BUILD)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
@@ -103,6 +106,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: sanitize build grade demo hint skeletons pictures table test check bench study compile_commands.json reset clean help
+.PHONY: sanitize build grade demo hint skeletons pictures table test check bench study chart compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

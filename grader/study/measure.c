@@ -169,6 +169,8 @@ static bool time_frame(StudyPlan *plan, const Ground *ground, Finding *finding, 
 // A setting's turn: its resources are made anew, and the first frame, which touches them first, does not
 // count.
 static bool take_turn(StudyPlan *plan, const Ground *ground, Finding *finding) {
+    if (finding->method.submission)
+        client_begin(&plan->crew.submitted->client); // the others' turns are not its time
     bool ok = time_frame(plan, ground, finding, false);
     for (int i = 0; ok && i < TURN && finding->frames < plan->frames; i++) {
         ok = time_frame(plan, ground, finding, true);
