@@ -4,8 +4,8 @@
 #include "cost.h"
 #include "edge.h"
 #include "hash.h"
+#include "pictures.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,33 +62,6 @@ static uint64_t make_key(const Artist *artist, const Ground *ground, const Study
     return hash;
 }
 
-void measure_picture_path(char path[FILES_PATH], const StudyPlan *plan, const char *name) {
-    char file[FILES_PATH];
-    snprintf(file, sizeof file, "frames/%s.png", name);
-    files_join(path, plan->output, file);
-}
-
-void measure_frame_path(char path[FILES_PATH], const StudyPlan *plan, const Finding *finding) {
-    char name[32];
-    snprintf(name, sizeof name, "%016" PRIx64, finding->key);
-    measure_picture_path(path, plan, name);
-}
-
-// Writes two numbers in 0..1 a pixel as red and green; blue is the first again.
-static bool write_picture(const char *path, MetricsSize size, const float *red, const uint8_t *mask) {
-    Image image = {0};
-    if (!image_create(&image, size.width, size.height))
-        return check_fail("out of memory for a picture");
-    for (size_t i = 0; i < (size_t)size.width * (size_t)size.height; i++) {
-        uint8_t value = (uint8_t)lrintf(255 * (isfinite(red[i]) ? red[i] : 0));
-        const uint8_t pixel[4] = {value, mask ? (uint8_t)(255 * mask[i]) : value, value, 255};
-        memcpy(image.rgba + 4 * i, pixel, 4);
-    }
-    bool ok = image_write_png(&image, path);
-    image_destroy(&image);
-    return ok;
-}
-
 // Share of the pixels that count and are neither wholly lit nor wholly dark.
 static double partial(const Ground *ground, const Measured *measured) {
     size_t count = 0, pixels = (size_t)ground->size.width * (size_t)ground->size.height;
@@ -121,8 +94,8 @@ static bool measure_errors(StudyPlan *plan, const Ground *ground, Artist *artist
                                         interior->false_light,
                                         edge_error(&measured.metrics, length),
                                         partial(ground, &measured)};
-        measure_frame_path(path, plan, finding);
-        ok = write_picture(path, ground->size, measured.visibility, NULL) &&
+        pictures_frame_path(path, plan->output, finding->key);
+        ok = pictures_write(path, ground->size, measured.visibility, NULL) &&
              state_add_errors(&plan->state, finding->key, &finding->errors);
     }
     measured_destroy(&measured);
@@ -145,7 +118,7 @@ static bool find_errors(StudyPlan *plan, const Ground *ground, const StudyScene 
     if (!artist)
         return excuse(finding);
     finding->key = make_key(artist, ground, scene, &finding->method);
-    measure_frame_path(path, plan, finding);
+    pictures_frame_path(path, plan->output, finding->key);
     const StateErrors *known = state_errors(&plan->state, finding->key);
     finding->drawn = known && files_exists(path);
     if (finding->drawn)
@@ -265,8 +238,8 @@ static bool write_truth(const StudyPlan *plan, const Ground *ground, const Study
     const MetricsPixels given = {ground->drawn, ground->traced, ground->facing, ground->visibility};
     INVARIANT(mask);
     metrics_mask(ground->size, &given, mask);
-    measure_picture_path(path, plan, scene->name);
-    bool ok = write_picture(path, ground->size, ground->visibility, mask);
+    pictures_path(path, plan->output, scene->name);
+    bool ok = pictures_write(path, ground->size, ground->visibility, mask);
     free(mask);
     return ok;
 }

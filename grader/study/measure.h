@@ -21,8 +21,3 @@ bool measure_scene(StudyPlan *plan, const StudyScene *scene, Findings *findings)
 
 // Does the scene have settings of this lab?
 bool measure_concerns(const StudyScene *scene, const char *lab);
-
-// The picture of a finding, or with "truth" of the scene: red the true visibility, green 255 where the pixel
-// counts.
-void measure_picture_path(char path[FILES_PATH], const StudyPlan *plan, const char *name);
-void measure_frame_path(char path[FILES_PATH], const StudyPlan *plan, const Finding *finding);

@@ -3,6 +3,7 @@
 #include "chart.h"
 #include "check.h"
 #include "home.h"
+#include "pictures.h"
 
 #include <errno.h>
 #include <jansson.h>
@@ -12,10 +13,33 @@
 enum { LIMIT = 1 << 20 };
 static const char mark[] = "/*DATA*/"; // where the data stands in page.html
 
+// Puts the file of this name in grader/study/ where its name stands as a comment. Frees the text; NULL with a
+// message.
+static char *insert(char *text, const char *name) {
+    char path[FILES_PATH], relative[64], comment[64];
+    snprintf(relative, sizeof relative, "grader/study/%s", name);
+    snprintf(comment, sizeof comment, "/*%s*/", name);
+    home_path(path, relative);
+    char *part = files_read(path, LIMIT), *at = strstr(text, comment), *whole = NULL;
+    if (part && at) {
+        size_t size = strlen(text) + strlen(part) + 1;
+        whole = malloc(size);
+        INVARIANT(whole);
+        snprintf(whole, size, "%.*s%s%s", (int)(at - text), text, part, at + strlen(comment));
+    } else if (part)
+        check_fail("page.html has no %s; restore the file", comment);
+    free(part);
+    free(text);
+    return whole;
+}
+
 static char *read_template(void) {
+    static const char *const parts[] = {"page.css", "page_error.js", "page.js"};
     char path[FILES_PATH];
     home_path(path, "grader/study/page.html");
     char *text = files_read(path, LIMIT);
+    for (size_t i = 0; text && i < sizeof parts / sizeof parts[0]; i++)
+        text = insert(text, parts[i]);
     if (text && strstr(text, mark))
         return text;
     if (text)
@@ -114,7 +138,7 @@ static bool add_points(json_t *points, const StudyPlan *plan, const Findings *fi
         char path[FILES_PATH];
         if (!findings->findings[i].drawn)
             continue;
-        measure_frame_path(path, plan, &findings->findings[i]);
+        pictures_frame_path(path, plan->output, findings->findings[i].key);
         json_t *frame = picture(path);
         if (!frame)
             return false;
@@ -127,7 +151,7 @@ bool page_add(FILE *file, const StudyPlan *plan, const Findings *findings, bool 
     char path[FILES_PATH], need[512];
     const StudyScene *scene = findings->scene;
     json_t *points = json_array();
-    measure_picture_path(path, plan, scene->name);
+    pictures_path(path, plan->output, scene->name);
     json_t *truth = picture(path);
     findings_tell(findings, need, sizeof need);
     bool ok = truth && add_points(points, plan, findings);
