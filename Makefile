@@ -17,7 +17,7 @@ LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 TOOLS := grade frame skeletons prove bench_frames bench_truth chart
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
-	$(wildcard grader/*.c)))
+	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
 ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth chart test_truth test_truth_occlusion test_truth_lab test_study)
@@ -31,7 +31,10 @@ NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_e
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 
-build: $(BUILD)/worker $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+# The watch: a program of several files.
+WATCH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/watch/*.c))
+
+build: $(BUILD)/worker $(BUILD)/watch $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
@@ -101,6 +104,8 @@ $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
 $(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
+	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
+$(BUILD)/watch: $(WATCH) $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o $(GRADER) $(NO_GL)
 	@mkdir -p $(@D)

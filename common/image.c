@@ -43,16 +43,35 @@ static uint8_t *rgb_of(const Image *image) {
     return rgb;
 }
 
+static png_image rgb_header(const Image *image) {
+    return (png_image){.version = PNG_IMAGE_VERSION,
+                       .width = (png_uint_32)image->width,
+                       .height = (png_uint_32)image->height,
+                       .format = PNG_FORMAT_RGB,
+                       .flags = PNG_IMAGE_FLAG_FAST};
+}
+
 bool image_write_png(const Image *image, const char *path) {
-    png_image png = {.version = PNG_IMAGE_VERSION,
-                     .width = (png_uint_32)image->width,
-                     .height = (png_uint_32)image->height,
-                     .format = PNG_FORMAT_RGB,
-                     .flags = PNG_IMAGE_FLAG_FAST};
+    png_image png = rgb_header(image);
     uint8_t *rgb = rgb_of(image);
     bool ok = rgb && png_image_write_to_file(&png, path, 0, rgb, 0, NULL);
     free(rgb);
     return ok || check_fail("%s: cannot write the picture: %s", path, rgb ? png.message : "out of memory");
+}
+
+uint8_t *image_encode_png(const Image *image, size_t *size) {
+    png_image png = rgb_header(image);
+    png.flags = 0;
+    uint8_t *rgb = rgb_of(image), *bytes = NULL;
+    png_alloc_size_t room = PNG_IMAGE_PNG_SIZE_MAX(png);
+    bool ok = rgb && (bytes = malloc(room)) && png_image_write_to_memory(&png, bytes, &room, 0, rgb, 0, NULL);
+    free(rgb);
+    *size = room;
+    if (ok)
+        return bytes;
+    free(bytes);
+    check_fail("cannot encode a picture: %s", png.message);
+    return NULL;
 }
 
 bool image_read_png(Image *image, const char *path) {

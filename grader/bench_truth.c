@@ -1,8 +1,9 @@
-// bench_truth: milliseconds of the ray-traced truth, in packets and one ray at a time, in turn. Not a test.
-// "wall" is what passes on the clock, "cpu" the processor time divided by the threads: the same on an idle
-// machine.
+// bench_truth: milliseconds of the ray-traced truth, in turn: in packets, the packets' rays one at a time,
+// and pixel by pixel (truth/plain.h), which is how one would trace without a thought. Not a test. "wall" is
+// what passes on the clock, "cpu" the processor time divided by the threads: the same on an idle machine.
 #include "check.h"
 #include "process.h"
+#include "truth/plain.h"
 #include "truth/truth.h"
 
 #include <stdio.h>
@@ -67,14 +68,23 @@ static double mean_lit(const TruthPicture *picture, const float *visibility) {
     return sum / (double)(count ? count : 1);
 }
 
+typedef enum Way { WAY_PACKETS, WAY_SINGLY, WAY_PIXELS, WAY_COUNT } Way;
+
+static const char *const WAYS[] = {"packets", "singly", "pixels"};
+
 typedef struct Times {
     double wall[MAX_RUNS], cpu[MAX_RUNS], mean; // milliseconds, mean visibility
 } Times;
 
-static bool time_run(const Truth *truth, const TruthPicture *picture, const TruthQuery *query,
+static bool time_run(const Truth *truth, const TruthPicture *picture, TruthQuery query, Way way,
                      float *visibility, Times *times, int run) {
     double start = process_now(), start_cpu = cpu_milliseconds();
-    bool ok = truth_trace(truth, picture, query, visibility);
+    bool ok = true;
+    query.one_by_one = way == WAY_SINGLY;
+    if (way == WAY_PIXELS)
+        plain_trace(truth, picture, &query, visibility);
+    else
+        ok = truth_trace(truth, picture, &query, visibility);
     times->wall[run] = 1000 * (process_now() - start);
     times->cpu[run] = (cpu_milliseconds() - start_cpu) / TRUTH_THREADS;
     times->mean = mean_lit(picture, visibility);
@@ -90,15 +100,13 @@ static void print_line(const char *name, const char *way, Times *times, int runs
 }
 
 static bool time_case(const Truth *truth, const TruthPicture *picture, const Case *timed, float *visibility) {
-    Times packets, singly;
-    TruthQuery query = timed->query, single_query = timed->query;
-    single_query.one_by_one = true;
+    Times times[WAY_COUNT];
     for (int run = 0; run < timed->runs; run++)
-        if (!time_run(truth, picture, &query, visibility, &packets, run) ||
-            !time_run(truth, picture, &single_query, visibility, &singly, run))
-            return false;
-    print_line(timed->name, "packets", &packets, timed->runs, timed->rays);
-    print_line("", "singly", &singly, timed->runs, timed->rays);
+        for (int way = 0; way < WAY_COUNT; way++)
+            if (!time_run(truth, picture, timed->query, (Way)way, visibility, &times[way], run))
+                return false;
+    for (int way = 0; way < WAY_COUNT; way++)
+        print_line(way == 0 ? timed->name : "", WAYS[way], &times[way], timed->runs, timed->rays);
     return true;
 }
 

@@ -31,10 +31,9 @@ static void measure_ours(Distances *distances, const CheckResult *check, const V
     }
 }
 
-static bool measure_mistake(Distances *distances, int m, const LabResult *result, int c, Exam *exam,
-                            Roster *roster) {
+static bool measure_mistake(Distances *distances, int m, const LabResult *result, int c, Exam *exam) {
     for (int n = 0; n < result->checks[c].check->variants; n++) {
-        const Image *theirs = exam_mistake(exam, roster, m, c, n);
+        const Image *theirs = exam_mistake(exam, m, c, n);
         if (!theirs)
             return false;
         distances->to_mistake[m] += score_rmse(&result->checks[c].yours[n], theirs);
@@ -81,61 +80,58 @@ static int find_own(const Check *check, const Distances *distances, const Rubric
 }
 
 // When the picture is that of a lab solved only up to some task: the task after it. Else NULL.
-static const char *next_task(const CheckResult *check, const Variant *variant, Roster *roster) {
-    static Reply reply;
-    const char *found = NULL;
-    Image theirs = {0};
-    for (int n = 1; !found && rubric_task(roster->rubric, n + 1); n++) {
-        const char *task = rubric_task(roster->rubric, n);
-        const Painter *painter = task ? roster_get(roster, (Solved){SOLVED_UP_TO, task}, NULL) : NULL;
-        bool same = painter && roster_draw(roster, painter, &variant->request, &theirs, &reply) &&
-                    score_rmse(&check->yours[check->worst], &theirs) == 0;
-        found = same ? rubric_task(roster->rubric, n + 1) : NULL;
+static const char *next_task(const CheckResult *check, int c, Exam *exam) {
+    for (int t = 1; rubric_task(exam->rubric, t + 1); t++) {
+        const Image *theirs = exam_partial(exam, t, c, check->worst);
+        if (theirs && score_rmse(&check->yours[check->worst], theirs) == 0)
+            return rubric_task(exam->rubric, t + 1);
     }
-    image_destroy(&theirs);
-    return found;
+    return NULL;
 }
 
-static void name_kind(CheckResult *check, const Variant *variant, Roster *roster) {
+static void name_kind(CheckResult *check, int c, Exam *exam) {
     char text[256];
-    const char *task = next_task(check, variant, roster);
+    const char *task = next_task(check, c, exam);
     if (task)
         snprintf(text, sizeof text, "task %s or one after it is not done", task);
     else
-        error_kind(text, sizeof text, &check->yours[check->worst], &variant->reference);
-    name_cause(check, text, rubric_hint(roster->rubric, task ? task : check->check->task, 0));
+        error_kind(text, sizeof text, &check->yours[check->worst],
+                   &exam->variants[c][check->worst].reference);
+    name_cause(check, text, rubric_hint(exam->rubric, task ? task : check->check->task, 0));
+    check->undone = task != NULL;
+    check->cause_task = task;
 }
 
-static void explain(CheckResult *check, const Distances *distances, int common, const Exam *exam,
-                    Roster *roster) {
+static void explain(CheckResult *check, int c, const Distances *distances, int common, Exam *exam) {
     const Rubric *rubric = exam->rubric;
     int own = common >= 0 ? common : find_own(check->check, distances, rubric);
     char text[256];
-    Touch touch = result_touch(check, exam->variants[check->check - rubric->checks]);
+    Touch touch = result_touch(check, exam->variants[c]);
     if (common < 0 && touch != TOUCH_CHANGED) {
         bool alone = touch == TOUCH_TASK_MISSING;
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task,
                  alone ? "" : " or one before it");
         name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
+        check->undone = true;
     } else if (own >= 0 && (common >= 0 || !error_kind_is_plain(&check->yours[check->worst]))) {
         name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
+        check->cause_task = rubric->mistakes[own].task;
     } else {
-        name_kind(check, &exam->variants[check->check - rubric->checks][check->worst], roster);
+        name_kind(check, c, exam);
     }
 }
 
-static bool measure_mistakes(Distances *distances, const LabResult *result, Exam *exam, Roster *roster) {
+static bool measure_mistakes(Distances *distances, const LabResult *result, Exam *exam) {
     const Rubric *rubric = exam->rubric;
     INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);
     for (int m = 0; m < rubric->mistake_count; m++)
         for (int c = 0; c < result->check_count; c++)
-            if (wants_cause(&result->checks[c]) &&
-                !measure_mistake(&distances[c], m, result, c, exam, roster))
+            if (wants_cause(&result->checks[c]) && !measure_mistake(&distances[c], m, result, c, exam))
                 return false;
     return true;
 }
 
-bool diagnose(LabResult *result, Exam *exam, Roster *roster) {
+bool diagnose(LabResult *result, Exam *exam) {
     static Distances distances[RUBRIC_MAX_CHECKS];
     bool wanted = false, touched = false;
     for (int c = 0; c < result->check_count; c++)
@@ -146,11 +142,11 @@ bool diagnose(LabResult *result, Exam *exam, Roster *roster) {
         }
     if (!wanted)
         return true;
-    if (touched && !measure_mistakes(distances, result, exam, roster))
+    if (touched && !measure_mistakes(distances, result, exam))
         return false;
     int common = touched ? find_common(result, distances, exam->rubric->mistake_count) : -1;
     for (int c = 0; c < result->check_count; c++)
         if (wants_cause(&result->checks[c]))
-            explain(&result->checks[c], &distances[c], common, exam, roster);
+            explain(&result->checks[c], c, &distances[c], common, exam);
     return true;
 }

@@ -3,10 +3,9 @@
 #pragma once
 
 #include "result.h"
-#include "roster.h"
 
 #include <stdbool.h>
 
 // Fills mistake and hint of each failed check of which frames were drawn. False with a message when one of
 // our own workers fails.
-bool diagnose(LabResult *result, Exam *exam, Roster *roster);
+bool diagnose(LabResult *result, Exam *exam);

@@ -73,19 +73,34 @@ static bool draw_variant(Variant *variant, const Painters *painters, char render
            check_fail("our own solution in %s draws nothing: %s", painters->solution->folder, reply.message);
 }
 
-static bool create_check(Exam *exam, int c, const Painters *painters) {
-    const Check *check = &exam->rubric->checks[c];
+typedef struct Draw {
+    Random random;
+    int width, height;
+} Draw;
+
+static Draw begin_draw(const Exam *exam, int c) {
     Random random = {exam->seed ^ (0x517cc1b727220a95u * (uint64_t)(c + 1))};
     random.state ^= (uint64_t)atoi(exam->rubric->id) << 32;
     const int width = 16 * random_int(&random, 9, 12), height = 16 * random_int(&random, 7, 9);
+    return (Draw){random, width, height};
+}
+
+static bool draw_request(Draw *draw, Request *request, const Check *check) {
+    bool ok = make_request(request, check, &draw->random);
+    request->width = draw->width;
+    request->height = draw->height;
+    return ok;
+}
+
+static bool create_check(Exam *exam, int c, const Painters *painters) {
+    const Check *check = &exam->rubric->checks[c];
+    Draw draw = begin_draw(exam, c);
     bool ok = true;
     int n = 0;
     for (int try = 0; ok && n < check->variants && try < MAX_TRIES; try++) {
         Variant *variant = &exam->variants[c][n];
-        ok = make_request(&variant->request, check, &random);
-        variant->request.width = width;
-        variant->request.height = height;
-        ok = ok && draw_variant(variant, painters, exam->renderer);
+        exam->tries[c][n] = try;
+        ok = draw_request(&draw, &variant->request, check) && draw_variant(variant, painters, exam->renderer);
         n += ok && acceptable(exam->variants[c], n);
     }
     if (ok && n < check->variants)
@@ -96,9 +111,28 @@ static bool create_check(Exam *exam, int c, const Painters *painters) {
     return ok;
 }
 
+bool exam_restore(Exam *exam, const Rubric *rubric, uint64_t seed,
+                  int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]) {
+    memset(exam, 0, sizeof *exam);
+    exam->rubric = rubric;
+    exam->seed = seed;
+    for (int c = 0; c < rubric->check_count; c++) {
+        Draw draw = begin_draw(exam, c);
+        int drawn = 0;
+        for (int n = 0; n < rubric->checks[c].variants; n++) {
+            exam->tries[c][n] = tries[c][n];
+            for (; drawn <= tries[c][n]; drawn++)
+                if (!draw_request(&draw, &exam->variants[c][n].request, &rubric->checks[c]))
+                    return false;
+        }
+    }
+    return true;
+}
+
 bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed) {
     memset(exam, 0, sizeof *exam);
     exam->rubric = rubric;
+    exam->roster = roster;
     exam->seed = seed;
     for (int c = 0; c < rubric->check_count; c++) {
         Painters painters = {roster, roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL),
@@ -113,14 +147,38 @@ bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed
     return true;
 }
 
-const Image *exam_mistake(Exam *exam, Roster *roster, int m, int c, int n) {
+static const Image *shown(const LatePicture *late, const Variant *variant) {
+    return late->image.rgba ? &late->image : &variant->reference;
+}
+
+// Most mistakes do not show in most checks: of those that draw the reference, nothing is kept.
+static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant *variant, Solved solved,
+                              const Change *change) {
     static Reply reply;
-    Image *image = &exam->mistakes[m][c][n];
-    if (image->rgba)
-        return image;
-    const Painter *mistaken = roster_get(roster, (Solved){SOLVED_ALL, NULL}, &exam->rubric->mistakes[m]);
-    return mistaken && roster_draw(roster, mistaken, &exam->variants[c][n].request, image, &reply) ? image
-                                                                                                   : NULL;
+    if (late->known)
+        return shown(late, variant);
+    const Painter *painter = exam->roster ? roster_get(exam->roster, solved, change) : NULL;
+    if (!exam->roster)
+        check_fail("a picture is missing in the recorded exam %llu of lab %s", (unsigned long long)exam->seed,
+                   exam->rubric->id);
+    if (!painter || !roster_draw(exam->roster, painter, &variant->request, &late->image, &reply))
+        return NULL;
+    late->known = true;
+    if (memcmp(late->image.rgba, variant->reference.rgba, image_bytes(&late->image)) == 0)
+        image_destroy(&late->image);
+    return shown(late, variant);
+}
+
+const Image *exam_mistake(Exam *exam, int m, int c, int n) {
+    return draw_late(&exam->mistakes[m][c][n], exam, &exam->variants[c][n], (Solved){SOLVED_ALL, NULL},
+                     &exam->rubric->mistakes[m]);
+}
+
+const Image *exam_partial(Exam *exam, int t, int c, int n) {
+    const char *task = t < EXAM_MAX_TASKS ? rubric_task(exam->rubric, t) : NULL;
+    return task ? draw_late(&exam->partials[t][c][n], exam, &exam->variants[c][n],
+                            (Solved){SOLVED_UP_TO, task}, NULL)
+                : NULL;
 }
 
 void exam_destroy(Exam *exam) {
@@ -130,6 +188,8 @@ void exam_destroy(Exam *exam) {
             image_destroy(&exam->variants[c][n].without);
             image_destroy(&exam->variants[c][n].skeleton);
             for (int m = 0; m < EXAM_MAX_MISTAKES; m++)
-                image_destroy(&exam->mistakes[m][c][n]);
+                image_destroy(&exam->mistakes[m][c][n].image);
+            for (int t = 0; t < EXAM_MAX_TASKS; t++)
+                image_destroy(&exam->partials[t][c][n].image);
         }
 }

@@ -3,7 +3,7 @@
 #include "check.h"
 #include "derive.h"
 #include "diagnose.h"
-#include "report.h"
+#include "report/evidence.h"
 #include "score.h"
 
 #include <stdio.h>
@@ -35,6 +35,10 @@ static void fail_lab(LabResult *result, LabStatus status, const char *message) {
         return;
     result->status = status;
     result_clean(result->message, sizeof result->message, message);
+}
+
+void grade_refuse(LabResult *result, const char *reason) {
+    fail_lab(result, LAB_ERROR, reason);
 }
 
 static void score_check(CheckResult *check, const Variant *variants) {
@@ -176,38 +180,26 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     return ok;
 }
 
-static bool examine(LabResult *result, const Rubric *rubric, Client *student, const GradeOptions *options,
-                    Roster *roster, char renderer[128]) {
-    Exam *exam = calloc(1, sizeof *exam);
-    if (!exam)
-        return check_fail("out of memory");
+static bool examine(LabResult *result, Examiner *examiner, Client *student, const GradeOptions *options) {
     client_start(student);
-    bool ok = exam_create(exam, rubric, roster, options->seed);
-    if (ok) {
-        memcpy(renderer, exam->renderer, sizeof exam->renderer);
-        client_begin(student);
-        grade_frames(result, exam, student, roster);
-        ok = diagnose(result, exam, roster) &&
-             (!options->output || report_evidence(result, exam, options->output));
-        exam_destroy(exam);
-    }
-    free(exam);
-    return ok;
+    Exam *exam = examiner_exam(examiner, options);
+    if (!exam)
+        return false;
+    client_begin(student);
+    grade_frames(result, exam, student, exam->roster);
+    return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 
-bool grade_lab(LabResult *result, const Rubric *rubric, const char *submission, const GradeOptions *options,
-               char renderer[128]) {
+bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options) {
     static Client student;
-    Roster roster = {.rubric = rubric, .context = options->context};
     student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
-    grade_begin(result, rubric);
+    grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;
     bool ok = true;
-    if (take_submission(result, &student, rubric, submission))
-        ok = examine(result, rubric, &student, options, &roster, renderer);
+    if (take_submission(result, &student, &examiner->rubric, submission))
+        ok = examine(result, examiner, &student, options);
     client_stop(&student);
-    roster_destroy(&roster);
     files_remove(student.folder);
     return ok;
 }

@@ -2,27 +2,23 @@
 #pragma once
 
 #include "exam.h"
+#include "examiner.h"
 #include "result.h"
 
 #include <stdbool.h>
 
-typedef struct GradeOptions {
-    ContextKind context;
-    double seconds;     // that a submission may run, per lab
-    const char *output; // folder for pictures of what failed, NULL for none
-    uint64_t seed;
-} GradeOptions;
-
 // An empty result with the checks of the rubric.
 void grade_begin(LabResult *result, const Rubric *rubric);
+
+// Nothing of the submission could be drawn, for this reason.
+void grade_refuse(LabResult *result, const char *reason);
 
 // Draws the exam's frames with the student's worker and scores them; the frames stay in the result, which
 // grade_begin has prepared. With a roster the solution draws some again, in turn with the student, to compare
 // their times.
 void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster);
 
-// The whole way of one lab: takes the files from `submission`, compiles, draws, scores, names the mistakes.
-// Everything that a submission can do wrong ends in the result; false with a message is a fault of ours
-// (could not grade).
-bool grade_lab(LabResult *result, const Rubric *rubric, const char *submission, const GradeOptions *options,
-               char renderer[128]);
+// The whole way of one lab: takes the files from the folder `submission`, compiles, draws, scores, names the
+// mistakes, keeps pictures of what failed when the options ask for them. Everything that a submission can do
+// wrong ends in the result; false with a message is a fault of ours (could not grade).
+bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options);

@@ -28,8 +28,7 @@ void home_path(char path[FILES_PATH], const char *relative) {
     files_join(path, dirname(root), relative);
 }
 
-// Does an entry's name read "NN-..."?
-static bool is_lab_name(const char *name) {
+bool home_is_lab_name(const char *name) {
     return isdigit((unsigned char)name[0]) && isdigit((unsigned char)name[1]) && name[2] == '-';
 }
 
@@ -41,7 +40,7 @@ typedef struct Search {
 
 static void match(const char *name, void *context) {
     Search *search = context;
-    if (search->found || !is_lab_name(name) || strncmp(name, search->id, 2) != 0)
+    if (search->found || !home_is_lab_name(name) || strncmp(name, search->id, 2) != 0)
         return;
     files_join(search->path, search->parent, name);
     search->found = true;
@@ -66,7 +65,7 @@ typedef struct Walk {
 static void visit_lab(const char *name, void *context) {
     const Walk *walk = context;
     const char id[3] = {name[0], name[1], '\0'};
-    if (is_lab_name(name))
+    if (home_is_lab_name(name))
         walk->visit(id, walk->context);
 }
 

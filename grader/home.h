@@ -19,3 +19,6 @@ bool home_find_lab_in(char path[FILES_PATH], const char *parent, const char *id)
 
 // Calls visit with the id ("02") of each lab in solutions/, in order.
 bool home_list_labs(void (*visit)(const char *id, void *context), void *context);
+
+// Does an entry's name read "NN-..."?
+bool home_is_lab_name(const char *name);

@@ -8,6 +8,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -42,6 +43,7 @@ static _Noreturn void run_child(const int *ends, char *const *arguments, char *c
     int input = fcntl(ends[0], F_DUPFD, 10), output = fcntl(ends[1], F_DUPFD, 10);
     int replies = fcntl(ends[2], F_DUPFD, 10);
     setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(input, STDIN_FILENO);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);

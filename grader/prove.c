@@ -102,7 +102,7 @@ static bool run_row(Row *row, Exam *exam, Roster *roster) {
     memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
     grade_begin(&result, exam->rubric);
     grade_frames(&result, exam, &row->contender, NULL);
-    bool ok = diagnose(&result, exam, roster);
+    bool ok = diagnose(&result, exam);
     double percent = row->percent = 100 * result.score / result.max_score;
     if (row->seeds == 0 || percent < row->lowest)
         row->lowest = percent;

@@ -23,6 +23,13 @@ Touch result_touch(const CheckResult *check, const Variant *variants) {
     return to_without == 0 ? TOUCH_TASK_MISSING : to_skeleton == 0 ? TOUCH_AS_SKELETON : TOUCH_CHANGED;
 }
 
+bool result_done(const LabResult *lab) {
+    for (int c = 0; c < lab->check_count; c++)
+        if (!lab->checks[c].passed && !lab->checks[c].check->optional)
+            return false;
+    return !lab->message[0];
+}
+
 double result_score(const Report *report) {
     double score = 0;
     for (int i = 0; i < report->lab_count; i++)
@@ -38,9 +45,12 @@ double result_max_score(const Report *report) {
 }
 
 void result_destroy_lab(LabResult *lab) {
-    for (int c = 0; c < lab->check_count; c++)
+    for (int c = 0; c < lab->check_count; c++) {
         for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
             image_destroy(&lab->checks[c].yours[n]);
+        for (int n = 0; n < EVIDENCE_PARTS; n++)
+            image_destroy(&lab->checks[c].evidence[n]);
+    }
 }
 
 void result_clean(char *clean, size_t size, const char *text) {

@@ -8,6 +8,9 @@
 
 enum { RESULT_TEXT = 8000, RESULT_MAX_LABS = 16 };
 
+// Pictures of the worst variant of a failed check; the last is an enlarged crop of the others side by side.
+enum { EVIDENCE_YOURS, EVIDENCE_REFERENCE, EVIDENCE_DIFFERENCE, EVIDENCE_CROP, EVIDENCE_PARTS };
+
 typedef struct CheckResult {
     const Check *check;
     double share; // of the points; the worst variant counts
@@ -15,8 +18,11 @@ typedef struct CheckResult {
     int worst;    // that variant
     bool passed;  // all but a trace of the points
     bool has_cause;
+    bool undone;            // the cause: a task is not done yet, rather than done wrong
+    const char *cause_task; // where to look; NULL when it is the check's own task
     char mistake[256], hint[1500];
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
+    Image evidence[EVIDENCE_PARTS]; // owned; empty when the check passed or nobody asked for it
 } CheckResult;
 
 typedef enum LabStatus { LAB_PASSED, LAB_FAILED, LAB_ERROR, LAB_TIMEOUT } LabStatus;
@@ -49,6 +55,8 @@ double result_points(const CheckResult *check); // rounded to hundredths
 // Are all pictures of the check still those of the solution without its task, or else of the skeleton?
 typedef enum Touch { TOUCH_TASK_MISSING, TOUCH_AS_SKELETON, TOUCH_CHANGED } Touch;
 Touch result_touch(const CheckResult *check, const Variant *variants);
+// Is there nothing left to do: did every check pass that is not optional?
+bool result_done(const LabResult *lab);
 double result_score(const Report *report);
 double result_max_score(const Report *report);
 void result_destroy_lab(LabResult *lab); // accepts a zeroed result

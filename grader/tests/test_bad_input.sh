@@ -36,7 +36,7 @@ solved missing-file >/dev/null && rm "$(shader missing-file)"
 case_ missing-file 1 "shadow.frag cannot be read: No such file"
 
 mkdir -p "$work/empty-folder"
-case_ empty-folder 1 "03-shadow-map cannot be read: No such file"
+case_ empty-folder 1 "not handed in: there is no folder 03-shadow-map"
 
 grades --lab 99 "$root/labs"
 expect unknown-lab 2 'there is no lab "99"'

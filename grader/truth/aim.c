@@ -1,5 +1,19 @@
 #include "aim.h"
 
+void aim_frame(vec3s n, vec3s *tangent, vec3s *bitangent) {
+    float sign = copysignf(1, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+    *tangent = vec3_make(1 + sign * n.x * n.x * a, sign * b, -sign * n.x);
+    *bitangent = vec3_make(b, sign + n.y * n.y * a, -n.y);
+}
+
+vec3s aim_origin(const TruthHit *hit) {
+    vec3s p = hit->position;
+    float size = 1; // not by fmaxf: that is a call, here for each pixel
+    for (int c = 0; c < 3; c++)
+        size = fabsf(p.raw[c]) > size ? fabsf(p.raw[c]) : size;
+    return glms_vec3_add(p, glms_vec3_scale(hit->face_normal, size * 0x1p-19f));
+}
+
 static Aim aim_at_light(const Light *light) {
     vec3s forward = glms_vec3_sub(light->target, light->position);
     if (light->kind == LIGHT_DIRECTIONAL)
@@ -44,12 +58,12 @@ static int aim_samples(const TruthQuery *query, int tile, Aim *aims) {
     Random random = {query->seed + (uint64_t)tile * 0xd1342543de82ef95u};
     random.state = random_next(&random);
     int across = strata_across(query->samples), down = query->samples / across;
-    for (int i = 0; i < query->samples; i++) {
-        int column = i % across, row = i / across;
-        float x = ((float)column + random_range(&random, 0, 1)) / (float)across;
-        float y = ((float)row + random_range(&random, 0, 1)) / (float)down;
-        aims[i] = aim_sample(query, (vec2s){{x, y}});
-    }
+    for (int row = 0; row < down; row++)
+        for (int column = 0; column < across; column++) {
+            float x = ((float)column + random_range(&random, 0, 1)) / (float)across;
+            float y = ((float)row + random_range(&random, 0, 1)) / (float)down;
+            *aims++ = aim_sample(query, (vec2s){{x, y}});
+        }
     return query->samples;
 }
 

@@ -13,5 +13,9 @@ typedef struct Tile {
     size_t pixel[TILE_LANES];
 } Tile;
 
+// Calls `work` for each of the rows 0..count - 1, from TRUTH_THREADS threads in no fixed order; each row
+// once.
+void tile_each_row(int count, void (*work)(int row, void *context), void *context);
+
 // Calls `work` for each tile of the picture, from TRUTH_THREADS threads in no fixed order; each tile once.
 void tile_each(int width, int height, void (*work)(const Tile *tile, void *context), void *context);

@@ -16,34 +16,22 @@ typedef struct Trace {
 // A tile on its way; the arrays have one entry a lane.
 typedef struct Packet {
     struct RTCRay16 rays;
-    float frame[9][TILE_LANES];         // tangent, bitangent, face normal, world
+    float frame[9][TILE_LANES];         // tangent, bitangent, face normal, world; for AIM_LOCAL only
     int alive[TILE_LANES];              // -1: a point to be lit, 0: background
     _Alignas(64) int valid[TILE_LANES]; // -1: this ray is traced, 0: it is dark without
     int lit[TILE_LANES];                // rays that met nothing
 } Packet;
 
-// Two unit vectors at right angles to the unit vector n and to each other (Duff et al.: Building an
-// Orthonormal Basis, Revisited, JCGT 2017).
-static void make_frame(vec3s n, vec3s *tangent, vec3s *bitangent) {
-    float sign = copysignf(1, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-    *tangent = vec3_make(1 + sign * n.x * n.x * a, sign * b, -sign * n.x);
-    *bitangent = vec3_make(b, sign + n.y * n.y * a, -n.y);
-}
-
-// A ray that begins on a triangle must not meet it, but must meet what stands on it. Positions are good to a
-// few units in the last place of their largest coordinate; 2^-19 of that is 16 of them.
-static vec3s origin_of(const TruthHit *hit) {
-    vec3s p = hit->position;
-    float size = fmaxf(1, fmaxf(fabsf(p.x), fmaxf(fabsf(p.y), fabsf(p.z))));
-    return glms_vec3_add(p, glms_vec3_scale(hit->face_normal, size * 0x1p-19f));
-}
-
 static void set_lane(Packet *packet, int i, const TruthHit *hit) {
-    vec3s origin = origin_of(hit), axes[3] = {[2] = hit->face_normal};
-    make_frame(axes[2], &axes[0], &axes[1]);
+    vec3s origin = aim_origin(hit);
     packet->alive[i] = hit->object == TRUTH_NONE ? 0 : -1;
     packet->rays.org_x[i] = origin.x, packet->rays.org_y[i] = origin.y, packet->rays.org_z[i] = origin.z;
     packet->rays.mask[i] = ~0u;
+}
+
+static void set_frame(Packet *packet, int i, const TruthHit *hit) {
+    vec3s axes[3] = {[2] = hit->face_normal};
+    aim_frame(axes[2], &axes[0], &axes[1]);
     for (int axis = 0; axis < 3; axis++)
         for (int c = 0; c < 3; c++)
             packet->frame[3 * axis + c][i] = axes[axis].raw[c];
@@ -137,7 +125,10 @@ static void trace_tile(const Tile *tile, void *context) {
     bool any = false;
     for (int i = 0; i < TILE_LANES; i++)
         if (tile->inside[i]) {
-            set_lane(&packet, i, &trace->picture->hits[tile->pixel[i]]);
+            const TruthHit *hit = &trace->picture->hits[tile->pixel[i]];
+            set_lane(&packet, i, hit);
+            if (trace->query->kind == TRUTH_OCCLUSION)
+                set_frame(&packet, i, hit);
             any = any || packet.alive[i];
         }
     int count = any ? aim_all(&trace->truth->scene, trace->query, tile->index, aims) : 0;

@@ -29,18 +29,14 @@ static json_t *lab_json(const LabResult *lab) {
                      "speed_ratio", rounded(lab->speed_ratio, 0.001), "checks", checks);
 }
 
-bool report_json(const Report *report, FILE *out) {
+json_t *report_json(const Report *report) {
     json_t *labs = json_array();
     for (int i = 0; i < report->lab_count; i++)
         json_array_append_new(labs, lab_json(&report->labs[i]));
     char seed[24];
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)report->seed);
-    json_t *root = json_pack("{s:i, s:s, s:s, s:s, s:f, s:f, s:f, s:o}", "version", 1, "seed", seed,
-                             "context", report->context, "renderer", report->renderer, "seconds",
-                             rounded(report->seconds, 0.001), "score", rounded(result_score(report), 0.01),
-                             "max_score", result_max_score(report), "labs", labs);
-    bool ok = root && json_dumpf(root, out, JSON_INDENT(2) | JSON_REAL_PRECISION(10)) == 0 &&
-              fputc('\n', out) != EOF;
-    json_decref(root);
-    return ok;
+    return json_pack("{s:i, s:s, s:s, s:s, s:f, s:f, s:f, s:o}", "version", 1, "seed", seed, "context",
+                     report->context, "renderer", report->renderer, "seconds",
+                     rounded(report->seconds, 0.001), "score", rounded(result_score(report), 0.01),
+                     "max_score", result_max_score(report), "labs", labs);
 }

@@ -1,4 +1,4 @@
-#include "report.h"
+#include "evidence.h"
 
 #include "check.h"
 #include "files.h"
@@ -59,6 +59,26 @@ static bool make_crop(Image *crop, const Image *const parts[3]) {
     return true;
 }
 
+static bool attach(CheckResult *check, const Image *yours, const Image *reference) {
+    Image *parts = check->evidence;
+    if (!image_copy(&parts[EVIDENCE_YOURS], yours) || !image_copy(&parts[EVIDENCE_REFERENCE], reference) ||
+        !image_copy(&parts[EVIDENCE_DIFFERENCE], yours))
+        return false;
+    mark_difference(&parts[EVIDENCE_DIFFERENCE], yours, reference);
+    return make_crop(&parts[EVIDENCE_CROP], (const Image *const[3]){&parts[0], &parts[1], &parts[2]});
+}
+
+bool evidence_attach(LabResult *result, const Exam *exam) {
+    bool ok = true;
+    for (int c = 0; ok && c < result->check_count; c++) {
+        CheckResult *check = &result->checks[c];
+        const Image *yours = &check->yours[check->worst];
+        if (!check->passed && yours->rgba)
+            ok = attach(check, yours, &exam->variants[c][check->worst].reference);
+    }
+    return ok;
+}
+
 static void slug(char *to, size_t size, const char *name) {
     size_t length = 0;
     for (; *name && length < size - 1; name++)
@@ -66,35 +86,25 @@ static void slug(char *to, size_t size, const char *name) {
     to[length] = '\0';
 }
 
-static bool write_one(const Image *image, const char *folder, const char *check, const char *kind) {
-    char path[FILES_PATH], name[FILES_PATH];
-    snprintf(name, sizeof name, "%s-%s.png", check, kind);
-    files_join(path, folder, name);
-    return image_write_png(image, path);
+static bool write_check(const CheckResult *check, const char *folder) {
+    static const char *const kinds[] = {"yours", "reference", "difference", "crop"};
+    char path[FILES_PATH], name[100], file[128];
+    bool ok = true;
+    slug(name, sizeof name, check->check->name);
+    for (int i = 0; ok && i < EVIDENCE_PARTS; i++) {
+        snprintf(file, sizeof file, "%s-%s.png", name, kinds[i]);
+        files_join(path, folder, file);
+        ok = image_write_png(&check->evidence[i], path);
+    }
+    return ok;
 }
 
-bool report_evidence(const LabResult *result, const Exam *exam, const char *folder) {
-    char lab_folder[FILES_PATH], name[100];
+bool evidence_write(const LabResult *result, const char *folder) {
+    char lab_folder[FILES_PATH];
     bool ok = true;
     files_join(lab_folder, folder, result->id);
-    check_append(lab_folder, sizeof lab_folder, "/");
-    for (int c = 0; ok && c < result->check_count; c++) {
-        const CheckResult *check = &result->checks[c];
-        const Image *yours = &check->yours[check->worst],
-                    *reference = &exam->variants[c][check->worst].reference;
-        if (check->passed || !yours->rgba)
-            continue;
-        Image difference = {0}, crop = {0};
-        slug(name, sizeof name, check->check->name);
-        ok = files_make_folder(lab_folder) && image_copy(&difference, yours);
-        if (ok)
-            mark_difference(&difference, yours, reference);
-        ok = ok && make_crop(&crop, (const Image *const[3]){yours, reference, &difference}) &&
-             write_one(&crop, lab_folder, name, "crop") && write_one(yours, lab_folder, name, "yours") &&
-             write_one(reference, lab_folder, name, "reference") &&
-             write_one(&difference, lab_folder, name, "difference");
-        image_destroy(&difference);
-        image_destroy(&crop);
-    }
+    for (int c = 0; ok && c < result->check_count; c++)
+        if (result->checks[c].evidence[0].rgba)
+            ok = files_make_folder(lab_folder) && write_check(&result->checks[c], lab_folder);
     return ok;
 }

@@ -1,0 +1,52 @@
+#include "report.h"
+
+static bool was_drawn(const LabResult *lab) {
+    for (int c = 0; c < lab->check_count; c++)
+        if (lab->checks[c].yours[0].rgba)
+            return true;
+    return false;
+}
+
+static json_t *plain_cause(const char *rationale) {
+    return json_pack("{s:s, s:n, s:n, s:n}", "rationale", rationale, "help", "expected", "actual");
+}
+
+// The record that the lab's others depend on: where it fails, they are neither passed nor failed.
+static json_t *start_record(const LabResult *lab) {
+    bool drawn = was_drawn(lab);
+    return json_pack("{s:o, s:o, s:b, s:[s], s:o, s:n}", "name", json_sprintf("lab%s", lab->id),
+                     "description", json_sprintf("lab %s compiles and draws", lab->id), "passed", drawn,
+                     "log", lab->message, "cause", drawn ? json_null() : plain_cause(lab->message),
+                     "dependency");
+}
+
+static json_t *cause_of(const CheckResult *check) {
+    if (!check->yours[0].rgba)
+        return plain_cause("the lab did not draw it");
+    if (!check->has_cause)
+        return check->passed ? json_null() : plain_cause("the picture differs from the reference");
+    return json_pack("{s:s, s:s, s:n, s:n}", "rationale", check->mistake, "help", check->hint, "expected",
+                     "actual");
+}
+
+static json_t *check_record(const LabResult *lab, int c) {
+    const CheckResult *check = &lab->checks[c];
+    bool known = check->yours[0].rgba || was_drawn(lab);
+    return json_pack("{s:o, s:s, s:o, s:[o], s:o, s:o, s:{s:f, s:i}}", "name",
+                     json_sprintf("lab%s_%d", lab->id, c + 1), "description", check->check->name, "passed",
+                     known ? json_boolean(check->passed) : json_null(), "log",
+                     json_sprintf("task %s: %.2f of %d points", check->check->task, result_points(check),
+                                  check->check->points),
+                     "cause", cause_of(check), "dependency", json_sprintf("lab%s", lab->id), "data", "score",
+                     result_points(check), "max_score", check->check->points);
+}
+
+json_t *report_check50(const Report *report) {
+    json_t *results = json_array();
+    for (int i = 0; i < report->lab_count; i++) {
+        json_array_append_new(results, start_record(&report->labs[i]));
+        for (int c = 0; c < report->labs[i].check_count; c++)
+            json_array_append_new(results, check_record(&report->labs[i], c));
+    }
+    return json_pack("{s:s, s:o, s:s}", "slug", "shadow-lab", "results", results, "version", "1");
+}

@@ -1,0 +1,46 @@
+#include "report.h"
+
+#include "check.h"
+
+#include <math.h>
+
+static double cents(double points) {
+    return round(points * 100) / 100;
+}
+
+static json_t *test_json(const LabResult *lab, const CheckResult *check) {
+    json_t *output = check->has_cause ? json_sprintf("%s\n%s", check->mistake, check->hint)
+                     : check->passed  ? json_string("")
+                                      : json_string(lab->message);
+    return json_pack("{s:o, s:s, s:f, s:i, s:s, s:o, s:s, s:s}", "name",
+                     json_sprintf("Lab %s: %s", lab->id, check->check->name), "number", check->check->task,
+                     "score", result_points(check), "max_score", check->check->points, "status",
+                     check->passed ? "passed" : "failed", "output", output, "output_format", "text",
+                     "visibility", "visible");
+}
+
+// What concerns a lab as a whole.
+static void add_words(char *text, size_t size, const LabResult *lab) {
+    if (lab->message[0])
+        check_append(text, size, "Lab %s, %s: %s\n", lab->id, result_status_name(lab->status), lab->message);
+    if (lab->warnings[0])
+        check_append(text, size, "Lab %s, notes: %s\n", lab->id, lab->warnings);
+}
+
+json_t *report_gradescope(const Report *report) {
+    static char words[2 * RESULT_TEXT];
+    words[0] = '\0';
+    json_t *tests = json_array();
+    for (int i = 0; i < report->lab_count; i++) {
+        const LabResult *lab = &report->labs[i];
+        add_words(words, sizeof words, lab);
+        for (int c = 0; c < lab->check_count; c++)
+            json_array_append_new(tests, test_json(lab, &lab->checks[c]));
+    }
+    json_t *seed = json_sprintf("%llu", (unsigned long long)report->seed);
+    return json_pack("{s:f, s:f, s:s, s:s, s:s, s:s, s:{s:o, s:s, s:f}, s:o}", "score",
+                     cents(result_score(report)), "execution_time", round(report->seconds * 1000) / 1000,
+                     "output", words, "output_format", "text", "visibility", "visible", "stdout_visibility",
+                     "hidden", "extra_data", "seed", seed, "renderer", report->renderer, "max_score",
+                     result_max_score(report), "tests", tests);
+}

@@ -1,0 +1,129 @@
+#include "report.h"
+
+#include "page.h"
+#include "score.h"
+
+#include <string.h>
+
+static const char *class_of(bool good) {
+    return good ? "good" : "bad";
+}
+
+static void write_check(Page *page, const CheckResult *check) {
+    fprintf(page->out, "<tr><td class=\"%s\">%s</td><td>%s</td><td>", class_of(check->passed),
+            check->passed ? "passed" : "failed", check->check->task);
+    page_text(page, check->check->name);
+    fprintf(page->out, "%s</td><td class=\"number\">%.2f of %d</td><td>",
+            check->check->optional ? " <span class=\"faint\">(optional)</span>" : "", result_points(check),
+            check->check->points);
+    if (check->has_cause) {
+        fputs("<strong>", page->out);
+        page_text(page, check->mistake);
+        fputs("</strong><p class=\"hint\">", page->out);
+        page_text(page, check->hint);
+        fputs("</p>", page->out);
+    }
+    fputs("</td></tr>\n", page->out);
+}
+
+static void write_checks(Page *page, const LabResult *lab) {
+    fputs("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table><thead><tr><th "
+          "scope=\"col\">result</th><th scope=\"col\">task</th><th scope=\"col\">check</th><th scope=\"col\" "
+          "class=\"number\">points</th><th scope=\"col\">what is wrong</th></tr></thead><tbody>\n",
+          page->out);
+    for (int c = 0; c < lab->check_count; c++)
+        write_check(page, &lab->checks[c]);
+    fputs("</tbody></table></div>\n", page->out);
+}
+
+typedef struct Wrong {
+    size_t brighter, darker, other, pixels;
+} Wrong;
+
+static Wrong count_wrong(const Image *yours, const Image *reference) {
+    Wrong wrong = {.pixels = image_bytes(yours) / 4};
+    for (size_t at = 0; at < image_bytes(yours); at += 4) {
+        const uint8_t *a = yours->rgba + at, *b = reference->rgba + at;
+        int change = a[0] + a[1] + a[2] - b[0] - b[1] - b[2];
+        if (score_pixel(yours, reference, at) > 0)
+            (*(change > 6 ? &wrong.brighter : change < -6 ? &wrong.darker : &wrong.other))++;
+    }
+    return wrong;
+}
+
+static void write_caption(Page *page, const CheckResult *check) {
+    Wrong wrong = count_wrong(&check->evidence[EVIDENCE_YOURS], &check->evidence[EVIDENCE_REFERENCE]);
+    fprintf(
+        page->out,
+        "<figcaption>Of %zu pixels <span class=\"key\" style=\"background:#ffd020\"></span> %zu are too "
+        "bright "
+        "(yellow), <span class=\"key\" style=\"background:#3070ff\"></span> %zu too dark (blue), <span "
+        "class=\"key\" style=\"background:#ff30ff\"></span> %zu of another colour (magenta).</figcaption>\n",
+        wrong.pixels, wrong.brighter, wrong.darker, wrong.other);
+}
+
+static void write_evidence(Page *page, const LabResult *lab, int c) {
+    const CheckResult *check = &lab->checks[c];
+    const Image *parts = check->evidence;
+    fprintf(page->out, "<h3>%s ", check->check->task);
+    page_text(page, check->check->name);
+    fputs("</h3>\n<figure>\n<div><div class=\"compare\">", page->out);
+    page_picture(page, &parts[EVIDENCE_YOURS], "yours", "yours");
+    page_picture(page, &parts[EVIDENCE_REFERENCE], "reference", "reference");
+    fprintf(
+        page->out,
+        "</div><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" data-compare aria-valuetext=\"50 %% "
+        "yours, 50 %% reference\" aria-label=\"%s: how much of yours is seen\"><div "
+        "class=\"ends\"><span>left of "
+        "the line: yours</span><span>right: reference</span></div></div>\n<div>",
+        check->check->task);
+    page_picture(page, &parts[EVIDENCE_DIFFERENCE], "difference", "difference");
+    fputs("<span class=\"faint\">difference</span></div>\n<div>", page->out);
+    page_picture(page, &parts[EVIDENCE_CROP], "crop",
+                 "yours, reference and difference side by side, enlarged where most is wrong");
+    fputs("<span class=\"faint\">enlarged where most is wrong: yours, reference, difference</span></div>\n",
+          page->out);
+    write_caption(page, check);
+    fputs("</figure>\n", page->out);
+}
+
+static void write_words(Page *page, const char *title, const char *text) {
+    if (!text[0])
+        return;
+    fprintf(page->out, "<h3>%s</h3>\n<pre tabindex=\"0\">", title);
+    page_text(page, text);
+    fputs("</pre>\n", page->out);
+}
+
+static void write_lab(Page *page, const LabResult *lab) {
+    fprintf(page->out, "<h2>Lab %s: ", lab->id);
+    page_text(page, lab->name);
+    fprintf(page->out,
+            "</h2>\n<p><meter min=\"0\" max=\"%.0f\" value=\"%.2f\" aria-label=\"points\"></meter> %.2f of "
+            "%.0f points, "
+            "<span class=\"%s\">%s</span>",
+            lab->max_score, lab->score, lab->score, lab->max_score, class_of(lab->status == LAB_PASSED),
+            result_status_name(lab->status));
+    if (lab->speed_ratio > 0)
+        fprintf(page->out, "; %.2f times the solution's time", lab->speed_ratio);
+    fputs("</p>\n", page->out);
+    write_words(page, "Message", lab->message);
+    write_checks(page, lab);
+    write_words(page, "Notes", lab->warnings);
+    for (int c = 0; c < lab->check_count; c++)
+        if (lab->checks[c].evidence[0].rgba)
+            write_evidence(page, lab, c);
+}
+
+char *report_html(const Report *report, const char *name) {
+    Page page;
+    if (!page_begin(&page, name[0] ? name : "Shadow Lab"))
+        return NULL;
+    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"faint\">(seed %llu, %s, ", result_score(report),
+            result_max_score(report), (unsigned long long)report->seed, report->context);
+    page_text(&page, report->renderer);
+    fputs(")</span></p>\n", page.out);
+    for (int i = 0; i < report->lab_count; i++)
+        write_lab(&page, &report->labs[i]);
+    return page_end(&page);
+}

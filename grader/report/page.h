@@ -1,0 +1,25 @@
+// Builds an HTML page that needs no other file and no network.
+#pragma once
+
+#include "image.h"
+
+#include <stdbool.h>
+#include <stdio.h>
+
+typedef struct Page {
+    FILE *out; // for markup of our own; everything else goes through page_text
+    char *text;
+    size_t size;
+} Page;
+
+// Begins the page up to <main>, with the style of page.css. False with a message.
+bool page_begin(Page *page, const char *title);
+
+// Ends the page with the script of page.js; the caller frees the text. NULL with a message.
+char *page_end(Page *page);
+
+// Writes text, escaped for element content and for attributes in double quotes.
+void page_text(Page *page, const char *text);
+
+// Writes an <img> with the picture as a data: URI. `description` is its alt text.
+void page_picture(Page *page, const Image *image, const char *class_name, const char *description);

@@ -1,0 +1,18 @@
+'use strict';
+// The slider over two pictures: left of it yours, right of it the reference. Without it, half of each is seen.
+for (const slider of document.querySelectorAll('input[data-compare]'))
+    slider.addEventListener('input', () => {
+        slider.closest('figure').querySelector('.compare').style.setProperty('--at', slider.value + '%');
+        slider.setAttribute('aria-valuetext', `${slider.value} % yours, ${100 - slider.value} % reference`);
+    });
+// A click on a column's head sorts the table; a second click turns the order round.
+for (const button of document.querySelectorAll('th button'))
+    button.addEventListener('click', () => {
+        const head = button.closest('th'), body = head.closest('table').tBodies[0];
+        const down = head.getAttribute('aria-sort') === 'ascending', column = head.cellIndex;
+        const key = (row) => row.cells[column].dataset.key ?? row.cells[column].textContent;
+        const compare = (a, b) => (head.classList.contains('number') ? key(a) - key(b) : key(a) < key(b) ? -1 : key(a) > key(b) ? 1 : 0);
+        for (const other of head.parentElement.cells) other.removeAttribute('aria-sort');
+        head.setAttribute('aria-sort', down ? 'descending' : 'ascending');
+        body.append(...[...body.rows].sort((a, b) => (down ? compare(b, a) : compare(a, b))));
+    });

@@ -1,0 +1,151 @@
+#include "screens.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { BAR = 24, WIDE_BAR = 40 };
+
+static double share(double part, double whole) {
+    return whole > 0 ? part / whole : 0;
+}
+
+static void show_total(Sheet *sheet, const Desk *desk) {
+    char bar[WIDE_BAR + 8];
+    const double score = desk_score(desk), max_score = desk_max_score(desk);
+    sheet_bar(bar, sizeof bar, share(score, max_score), sheet->columns < 96 ? BAR : WIDE_BAR);
+    sheet_line(sheet, STYLE_BOLD, "Shadow Lab  %s %.0f of %.0f points, %d of %d labs done", bar, score,
+               max_score, desk_done(desk), desk->lab_count);
+    sheet_line(sheet, STYLE_PLAIN, "%s", "");
+}
+
+static void show_message(Sheet *sheet, const Desk *desk) {
+    if (!desk->message[0])
+        return;
+    sheet_text(sheet, STYLE_GOOD, 0, desk->message);
+    sheet_line(sheet, STYLE_PLAIN, "%s", "");
+}
+
+static void show_title(Sheet *sheet, const Desk *desk) {
+    const Rubric *rubric = &desk->rubrics[desk->current];
+    const Verdict *verdict = &desk->verdict;
+    char bar[WIDE_BAR + 8], change[32] = "";
+    if (!desk->known) {
+        sheet_line(sheet, STYLE_BOLD, "Lab %s: %s", rubric->id, rubric->title);
+        return;
+    }
+    const double gained = verdict->score - desk->score_before;
+    if (desk->score_before >= 0 && (gained >= 0.005 || gained <= -0.005))
+        snprintf(change, sizeof change, "  (%+.0f)", gained);
+    sheet_bar(bar, sizeof bar, share(verdict->score, verdict->max_score), BAR);
+    sheet_line(sheet, STYLE_BOLD, "Lab %s: %s  %s %.0f of %.0f%s", rubric->id, rubric->title, bar,
+               verdict->score, verdict->max_score, change);
+}
+
+static void show_checks(Sheet *sheet, const Desk *desk) {
+    const Rubric *rubric = &desk->rubrics[desk->current];
+    for (int c = 0; c < desk->verdict.check_count; c++) {
+        const VerdictCheck *result = &desk->verdict.checks[c];
+        const Check *check = &rubric->checks[c];
+        sheet_marked(sheet, result->passed ? STYLE_GOOD : STYLE_BAD,
+                     result->passed           ? "  ok   "
+                     : c == desk->focus.check ? "> open "
+                                              : "  open ",
+                     "%-5s %-48s %2.0f of %d%s", check->task, check->name, result->points, check->points,
+                     check->optional ? " (optional)" : "");
+    }
+}
+
+static void show_hints(Sheet *sheet, const Desk *desk) {
+    const Rubric *rubric = &desk->rubrics[desk->current];
+    const int shown = desk_hints_shown(desk);
+    int count = 0;
+    while (rubric_hint(rubric, desk->focus.task, count))
+        count++;
+    for (int i = 0; i < shown; i++) {
+        char text[2000];
+        snprintf(text, sizeof text, "Hint %d of %d: %s", i + 1, count,
+                 rubric_hint(rubric, desk->focus.task, i));
+        sheet_text(sheet, STYLE_PLAIN, 2, text);
+    }
+}
+
+static void show_focus(Sheet *sheet, const Desk *desk) {
+    const Focus *focus = &desk->focus;
+    const VerdictCheck *check = &desk->verdict.checks[focus->check];
+    sheet_line(sheet, STYLE_PLAIN, "%s", "");
+    sheet_line(sheet, STYLE_BOLD, "Task %s%s%s", focus->task, focus->place[0] ? "  " : "", focus->place);
+    const char *waiting = desk->rubrics[desk->current].checks[focus->check].task;
+    if (check->undone && strchr(waiting, '.') && strcmp(waiting, focus->task) != 0)
+        sheet_line(sheet, STYLE_PLAIN, "  The check of task %s shows nothing before this one is done, too.",
+                   waiting);
+    else if (!check->undone || !focus->place[0])
+        sheet_text(sheet, STYLE_BAD, 2, check->mistake);
+    if (!check->undone)
+        sheet_text(sheet, STYLE_PLAIN, 2, check->hint);
+    show_hints(sheet, desk);
+}
+
+// What compiler, driver or worker say.
+static void show_words(Sheet *sheet, const Desk *desk) {
+    char folder[FILES_PATH];
+    const Verdict *verdict = &desk->verdict;
+    if (!verdict->message[0] && !verdict->warnings[0])
+        return;
+    desk_lab_folder(desk, desk->current, folder);
+    sheet_line(sheet, STYLE_PLAIN, "%s", "");
+    sheet_line(sheet, STYLE_DIM, "in %s:", folder);
+    sheet_text(sheet, STYLE_BAD, 2, verdict->message);
+    sheet_text(sheet, STYLE_PLAIN, 2, verdict->warnings);
+}
+
+void screens_lab(Sheet *sheet, const Desk *desk, bool busy) {
+    show_total(sheet, desk);
+    show_message(sheet, desk);
+    show_title(sheet, desk);
+    if (!desk->known) {
+        if (busy)
+            sheet_line(sheet, STYLE_DIM, "  grading ...");
+        return;
+    }
+    const bool broken = desk->verdict.fault || desk->verdict.status > LAB_FAILED;
+    if (!broken)
+        show_checks(sheet, desk);
+    show_words(sheet, desk);
+    if (!broken && desk->focus.check >= 0)
+        show_focus(sheet, desk);
+    if (desk->verdict.done)
+        sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on; our solution, to compare: solutions/%s",
+                   strrchr(desk->rubrics[desk->current].folder, '/') + 1);
+}
+
+static void show_row(Sheet *sheet, const Desk *desk, int lab, bool marked) {
+    const Rubric *rubric = &desk->rubrics[lab];
+    const LabProgress *progress = progress_find(&desk->progress, rubric->id);
+    char bar[WIDE_BAR + 8], remark[64] = "not begun";
+    sheet_bar(bar, sizeof bar, progress ? share(progress->score, progress->max_score) : 0, BAR);
+    if (progress)
+        snprintf(remark, sizeof remark, "%.0f of %.0f", progress->score, progress->max_score);
+    if (progress && progress->best > progress->score)
+        snprintf(remark + strlen(remark), sizeof remark - strlen(remark), ", best %.0f", progress->best);
+    if (progress && progress->done_on[0])
+        snprintf(remark + strlen(remark), sizeof remark - strlen(remark), ", done on %s", progress->done_on);
+    sheet_marked(sheet, progress && progress->done ? STYLE_GOOD : STYLE_PLAIN, marked ? "> " : "  ",
+                 "%s %-32s %s %s", rubric->id, rubric->title, bar, remark);
+}
+
+void screens_list(Sheet *sheet, const Desk *desk, int marked) {
+    show_total(sheet, desk);
+    for (int i = 0; i < desk->lab_count; i++)
+        show_row(sheet, desk, i, i == marked);
+}
+
+void screens_footer(char *text, size_t size, const Desk *desk, bool listing, bool busy) {
+    if (listing)
+        snprintf(text, size, "up, down, Enter: choose a lab   l back   q quit");
+    else if (busy)
+        snprintf(text, size, "h hint  l list  r run  n next  q quit     grading ...");
+    else
+        snprintf(text, size,
+                 "h hint  l list  r run  n next  q quit     graded at %s in %.1f s; save to grade again",
+                 desk->clock, desk->verdict.seconds);
+}
