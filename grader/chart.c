@@ -4,8 +4,8 @@
 #include "home.h"
 #include "study/chart.h"
 #include "study/csv.h"
-#include "study/options.h"
-#include "study/page.h"
+#include "study/chart_options.h"
+#include "study/chart_page.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -56,7 +56,7 @@ static bool study_scene(StudyPlan *plan, const StudyScene *scene, Output *output
         return false;
     csv_write(output->csv, &findings);
     report(&findings, output->needs);
-    return page_add(output->page, plan, &findings, output->scenes++ == 0);
+    return chart_page_add(output->page, plan, &findings, output->scenes++ == 0);
 }
 
 static bool open_output(StudyPlan *plan, Output *output) {
@@ -73,17 +73,17 @@ static bool open_output(StudyPlan *plan, Output *output) {
     return output->csv && output->page && output->needs;
 }
 
-static bool study(const Options *options, StudyPlan *plan) {
+static bool study(const ChartOptions *options, StudyPlan *plan) {
     static Output output;
-    if (!open_output(plan, &output) || !page_begin(output.page))
+    if (!open_output(plan, &output) || !chart_page_begin(output.page))
         return false;
     csv_head(output.csv);
     for (const StudyScene *scene = study_scenes; scene->name; scene++)
-        if (options_want(options, scene) && !study_scene(plan, scene, &output))
+        if (chart_options_want(options, scene) && !study_scene(plan, scene, &output))
             return false;
     if (output.scenes == 0)
         return check_fail("no scene of the study has settings of lab %s", options->lab);
-    bool ok = page_end(output.page);
+    bool ok = chart_page_end(output.page);
     ok = close_part(output.csv, output.csv_path) && ok;
     ok = close_part(output.needs, output.needs_path) && ok;
     ok = close_part(output.page, output.page_path) && ok;
@@ -101,10 +101,10 @@ static int compare(char **paths) {
 }
 
 int main(int count, char **arguments) {
-    static Options options;
+    static ChartOptions options;
     static StudyPlan plan;
-    if (!options_parse(&options, count, arguments)) {
-        fprintf(stderr, "chart: %s\n%s", check_message(), options_usage);
+    if (!chart_options_parse(&options, count, arguments)) {
+        fprintf(stderr, "chart: %s\n%s", check_message(), chart_options_usage);
         return 2;
     }
     if (options.compare)

@@ -78,7 +78,7 @@ void page_text(Page *page, const char *text) {
         }
 }
 
-static void write_base64(FILE *out, const uint8_t *bytes, size_t size) {
+void page_base64(FILE *out, const uint8_t *bytes, size_t size) {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < size; i += 3) {
         unsigned group = (unsigned)bytes[i] << 16;
@@ -99,7 +99,7 @@ void page_picture(Page *page, const Image *image, const char *class_name, const 
     page_text(page, description);
     fputs("\" src=\"data:image/png;base64,", page->out);
     if (png)
-        write_base64(page->out, png, size);
+        page_base64(page->out, png, size);
     fputs("\">", page->out);
     free(png);
 }

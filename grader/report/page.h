@@ -4,6 +4,8 @@
 #include "image.h"
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 typedef struct Page {
@@ -23,3 +25,6 @@ void page_text(Page *page, const char *text);
 
 // Writes an <img> with the picture as a data: URI. `description` is its alt text.
 void page_picture(Page *page, const Image *image, const char *class_name, const char *description);
+
+// Writes the bytes in base64 (RFC 4648), padded.
+void page_base64(FILE *out, const uint8_t *bytes, size_t size);

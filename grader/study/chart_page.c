@@ -1,9 +1,10 @@
-#include "page.h"
+#include "chart_page.h"
 
 #include "chart.h"
 #include "check.h"
 #include "home.h"
 #include "pictures.h"
+#include "report/page.h"
 
 #include <errno.h>
 #include <jansson.h>
@@ -11,7 +12,7 @@
 #include <string.h>
 
 enum { LIMIT = 1 << 20 };
-static const char mark[] = "/*DATA*/"; // where the data stands in page.html
+static const char mark[] = "/*DATA*/"; // where the data stands in chart_page.html
 
 // Puts the file of this name in grader/study/ where its name stands as a comment. Frees the text; NULL with a
 // message.
@@ -27,16 +28,16 @@ static char *insert(char *text, const char *name) {
         INVARIANT(whole);
         snprintf(whole, size, "%.*s%s%s", (int)(at - text), text, part, at + strlen(comment));
     } else if (part)
-        check_fail("page.html has no %s; restore the file", comment);
+        check_fail("chart_page.html has no %s; restore the file", comment);
     free(part);
     free(text);
     return whole;
 }
 
 static char *read_template(void) {
-    static const char *const parts[] = {"page.css", "page_error.js", "page.js"};
+    static const char *const parts[] = {"chart_page.css", "chart_page_error.js", "chart_page.js"};
     char path[FILES_PATH];
-    home_path(path, "grader/study/page.html");
+    home_path(path, "grader/study/chart_page.html");
     char *text = files_read(path, LIMIT);
     for (size_t i = 0; text && i < sizeof parts / sizeof parts[0]; i++)
         text = insert(text, parts[i]);
@@ -48,7 +49,7 @@ static char *read_template(void) {
     return NULL;
 }
 
-bool page_begin(FILE *file) {
+bool chart_page_begin(FILE *file) {
     char *text = read_template();
     if (!text)
         return false;
@@ -57,25 +58,13 @@ bool page_begin(FILE *file) {
     return true;
 }
 
-bool page_end(FILE *file) {
+bool chart_page_end(FILE *file) {
     char *text = read_template();
     if (!text)
         return false;
     fputs(strstr(text, mark) + strlen(mark), file);
     free(text);
     return true;
-}
-
-static void write_base64(char *to, const uint8_t *bytes, size_t size) {
-    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (size_t i = 0; i < size; i += 3) {
-        uint32_t group = (uint32_t)bytes[i] << 16;
-        group |= i + 1 < size ? (uint32_t)bytes[i + 1] << 8 : 0;
-        group |= i + 2 < size ? bytes[i + 2] : 0;
-        for (int digit = 0; digit < 4; digit++)
-            *to++ = i + (size_t)digit <= size ? digits[group >> (18 - 6 * digit) & 63] : '=';
-    }
-    *to = '\0';
 }
 
 static bool read_bytes(const char *path, uint8_t **bytes, size_t *size) {
@@ -94,17 +83,18 @@ static bool read_bytes(const char *path, uint8_t **bytes, size_t *size) {
 // A PNG as a data URL; NULL with a message.
 static json_t *picture(const char *path) {
     uint8_t *bytes = NULL;
-    size_t size = 0;
+    size_t size = 0, length = 0;
     json_t *url = NULL;
-    static const char head[] = "data:image/png;base64,";
+    char *text = NULL;
     if (read_bytes(path, &bytes, &size)) {
-        char *text = malloc(sizeof head + 4 * (size / 3 + 1));
-        INVARIANT(text);
-        strcpy(text, head);
-        write_base64(text + sizeof head - 1, bytes, size);
+        FILE *out = open_memstream(&text, &length);
+        INVARIANT(out);
+        fputs("data:image/png;base64,", out);
+        page_base64(out, bytes, size);
+        fclose(out);
         url = json_string(text);
-        free(text);
     }
+    free(text);
     free(bytes);
     return url;
 }
@@ -147,7 +137,7 @@ static bool add_points(json_t *points, const StudyPlan *plan, const Findings *fi
     return true;
 }
 
-bool page_add(FILE *file, const StudyPlan *plan, const Findings *findings, bool is_first) {
+bool chart_page_add(FILE *file, const StudyPlan *plan, const Findings *findings, bool is_first) {
     char path[FILES_PATH], need[512];
     const StudyScene *scene = findings->scene;
     json_t *points = json_array();

@@ -1,4 +1,4 @@
-#include "options.h"
+#include "chart_options.h"
 
 #include "check.h"
 
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char options_usage[] =
+const char chart_options_usage[] =
     "usage: build/chart [options]\n"
     "       build/chart --compare A.csv B.csv\n"
     "  --scene NAME      this scene only; may be repeated\n"
@@ -42,20 +42,20 @@ static const StudyScene *find_scene(const char *name) {
     return NULL;
 }
 
-static bool take_scene(Options *options, const char *name) {
+static bool take_scene(ChartOptions *options, const char *name) {
     if (!find_scene(name)) {
         char names[256] = "";
         for (const StudyScene *scene = study_scenes; scene->name; scene++)
             check_append(names, sizeof names, " %s", scene->name);
         return check_fail("there is no scene \"%s\"; there are%s", name, names);
     }
-    if (options->scene_count == OPTIONS_SCENES)
-        return check_fail("--scene is given more than %d times", OPTIONS_SCENES);
+    if (options->scene_count == CHART_OPTIONS_SCENES)
+        return check_fail("--scene is given more than %d times", CHART_OPTIONS_SCENES);
     options->scenes[options->scene_count++] = name;
     return true;
 }
 
-static bool take_option(Options *options, int option, char *value) {
+static bool take_option(ChartOptions *options, int option, char *value) {
     switch (option) {
     case 'n':
         return take_scene(options, value);
@@ -83,7 +83,7 @@ static bool take_option(Options *options, int option, char *value) {
     }
 }
 
-bool options_parse(Options *options, int count, char **arguments) {
+bool chart_options_parse(ChartOptions *options, int count, char **arguments) {
     static const struct option table[] = {{"scene", required_argument, NULL, 'n'},
                                           {"lab", required_argument, NULL, 'l'},
                                           {"submission", required_argument, NULL, 's'},
@@ -105,7 +105,7 @@ bool options_parse(Options *options, int count, char **arguments) {
     return true;
 }
 
-bool options_want(const Options *options, const StudyScene *scene) {
+bool chart_options_want(const ChartOptions *options, const StudyScene *scene) {
     bool named = options->scene_count == 0;
     for (int i = 0; i < options->scene_count; i++)
         named = named || strcmp(options->scenes[i], scene->name) == 0;
