@@ -38,15 +38,35 @@ static bool close_part(FILE *file, const char *path) {
            check_fail("%s cannot be written", path);
 }
 
+// The same setting of ours, which every one of a submission has.
+static int ours_of(const Findings *findings, int submitted) {
+    const Method *wanted = &findings->findings[submitted].method;
+    int i = 0;
+    while (strcmp(findings->findings[i].method.family, wanted->family) != 0 ||
+           strcmp(findings->findings[i].method.name, wanted->name) != 0)
+        i++;
+    return i;
+}
+
+static void report_submission(const Findings *findings, int i) {
+    const Finding *finding = &findings->findings[i];
+    int ours = ours_of(findings, i);
+    printf("  yours, %s, %s: ", finding->method.family, finding->method.name);
+    if (finding->drawn)
+        printf("error %.3g %% (ours %.3g %%), %.3g ms (ours %.3g ms)\n", 100 * findings->points[i].error,
+               100 * findings->points[ours].error, findings->points[i].ms, findings->points[ours].ms);
+    else
+        printf("not drawn: %s\n", finding->message);
+}
+
 static void report(const Findings *findings, FILE *needs) {
     char need[512];
     findings_tell(findings, need, sizeof need);
     printf("%s: %s\n", findings->scene->name, need);
     fprintf(needs, "%s: %s\n", findings->scene->name, need);
     for (int i = 0; i < findings->count; i++)
-        if (findings->findings[i].message[0])
-            printf("  not drawn: %s, %s: %s\n", findings->findings[i].method.family,
-                   findings->findings[i].method.name, findings->findings[i].message);
+        if (findings->findings[i].method.submission)
+            report_submission(findings, i);
     fflush(stdout);
 }
 
