@@ -63,7 +63,7 @@ static void report(const Findings *findings, FILE *needs) {
     char need[512];
     findings_tell(findings, need, sizeof need);
     printf("%s: %s\n", findings->scene->name, need);
-    fprintf(needs, "%s: %s\n", findings->scene->name, need);
+    fprintf(needs, "%s\t%s\n", findings->scene->title, need);
     for (int i = 0; i < findings->count; i++)
         if (findings->findings[i].method.submission)
             report_submission(findings, i);

@@ -87,12 +87,12 @@ const Finding *findings_next_cheaper(const Findings *findings) {
 
 static void tell_wrong(const Finding *finding, double tolerance, char *text, size_t size) {
     const StateErrors *errors = &finding->errors;
-    if (finding_interior_error(errors) <= tolerance)
+    double inside = finding_interior_error(errors);
+    if (inside <= tolerance)
         check_append(text, size, "its edge is off by %.2g pixels", errors->off);
-    else if (errors->interior_false_shadow > errors->interior_false_light)
-        check_append(text, size, "false shadow inside, %.2g %%", 100 * errors->interior_false_shadow);
     else
-        check_append(text, size, "false light inside, %.2g %%", 100 * errors->interior_false_light);
+        check_append(text, size, "%.2g %% error inside, mostly false %s", 100 * inside,
+                     errors->interior_false_shadow > errors->interior_false_light ? "shadow" : "light");
 }
 
 void findings_tell(const Findings *findings, char *text, size_t size) {

@@ -30,7 +30,8 @@ Method *method_add_map(MethodList *list, const char *lab, const char *family, in
     va_start(arguments, format);
     vsnprintf(method->name, sizeof method->name, format, arguments);
     va_end(arguments);
-    check_append(method->name, sizeof method->name, "%smap %d", method->name[0] ? ", " : "", map_size);
+    check_append(method->name, sizeof method->name, "%s%d x %d", method->name[0] ? ", " : "", map_size,
+                 map_size);
     method->map_size = map_size;
     setting_knob(&method->setting, "map size", (float)map_size);
     return method;

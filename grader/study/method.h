@@ -10,7 +10,7 @@ enum { METHOD_NAME = 48, METHOD_MOST = 160 };
 typedef struct Method {
     const char *lab;        // whose passes draw it: "05"
     const char *family;     // a colour of the chart: "box PCF"
-    char name[METHOD_NAME]; // the setting, without quotes: "32 samples, map 1024"
+    char name[METHOD_NAME]; // the setting, without quotes: "32 samples, 1024 x 1024"
     Setting setting;
     int map_size; // texels along a side; 0: no shadow map
     float kernel; // farthest tap from the point, texels

@@ -68,7 +68,7 @@ static void add_filter(MethodList *list, Filter filter, int size) {
 void methods_of_edges(MethodList *list) {
     const Filter filters[] = {hard, by_hand, linear, diagonals, box_5, gather};
     for (int i = 0; i < SIZES; i++) {
-        method_add_map(list, "03", "basic", sizes[i], "%s", "");
+        method_add_map(list, "03", "basic map", sizes[i], "%s", "");
         for (unsigned f = 0; f < sizeof filters / sizeof filters[0]; f++)
             add_filter(list, filters[f], sizes[i]);
     }
@@ -118,7 +118,7 @@ void methods_of_penumbra(MethodList *list) {
 void methods_of_volumes(MethodList *list) {
     const Filter filters[] = {linear, gather};
     for (int i = 0; i < SIZES; i++) {
-        method_add_map(list, "03", "basic", sizes[i], "%s", "");
+        method_add_map(list, "03", "basic map", sizes[i], "%s", "");
         for (unsigned f = 0; f < sizeof filters / sizeof filters[0]; f++)
             add_filter(list, filters[f], sizes[i]);
     }
