@@ -6,6 +6,7 @@ BUILD ?= build
 CFLAGS ?= -O2 -g
 SANITIZE ?=
 LAB ?=
+override LAB := $(if $(filter 1 2 3 4 5 6 7 8 9,$(LAB)),0)$(LAB)
 SUBMISSION ?= labs
 ARGS ?=
 
@@ -14,13 +15,20 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
-TOOLS := grade frame skeletons prove bench_frames bench_truth chart
-WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view)
+# Those that are there: the student's kit does without some.
+TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record bench_frames bench_truth chart)))
+WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view capture)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
 ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth chart test_truth test_truth_occlusion test_truth_lab test_study)
+# The jail: the keeper's side belongs to the grader; the programs of inside/ stand alone. The shim is static where the
+# system has the archives, so that a process inside begins sooner.
+JAIL := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/*.c))
+INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
+STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-static)
+GRADER += $(JAIL)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
 ON_STUDY := $(patsubst %,$(BUILD)/%,chart test_truth_lab test_study)
@@ -34,17 +42,26 @@ TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c
 # The watch: a program of several files.
 WATCH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/watch/*.c))
 
-build: $(BUILD)/worker $(BUILD)/watch $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+build: $(BUILD)/worker $(BUILD)/watch $(INSIDE) $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
-	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(ARGS) $(SUBMISSION)
+	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(if $(filter labs,$(SUBMISSION)),--record) $(ARGS) $(SUBMISSION)
+
+watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress: make watch [LAB=03]
+	@$(BUILD)/watch $(if $(LAB),--lab $(LAB)) $(ARGS)
+
+progress: $(BUILD)/watch ## how far am I in all labs?
+	@$(BUILD)/watch --list
 
 demo: build ## grade the labs as shipped, then the solutions
 	$(BUILD)/grade labs || true
 	$(BUILD)/grade solutions
 
-hint: build ## show the hints of a task: make hint TASK=3.2
+hint: ## show the hints of a task: make hint TASK=3.2
 	@grader/hint $(TASK)
+
+trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame debugger: make trace LAB=03 [TOOL=renderdoc] [SCENE="far floor"]
+	@TOOL="$(TOOL)" SCENE="$(SCENE)" grader/trace $(LAB)
 
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
@@ -55,8 +72,11 @@ pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 table: build ## prove the rubrics and put the table into grader/README.md
 	@grader/table
 
-test: build $(TESTS) $(BUILD)/chart ## run all tests
+test: build $(TESTS) $(BUILD)/without $(BUILD)/hostile $(BUILD)/chart ## run all tests
 	@grader/tests/run $(BUILD)
+
+test-hostile: build $(BUILD)/without $(BUILD)/hostile ## attacks on the grader, by both routes into the jail (part of test)
+	@BUILD=$(BUILD) grader/tests/test_hostile.sh
 
 sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
 	@$(MAKE) --no-print-directory BUILD=build-sanitize CFLAGS="-O1 -g" \
@@ -77,14 +97,20 @@ chart: build $(BUILD)/chart ## measure the study anew and put its chart and its 
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
-reset: ## put a lab of labs/ back to the skeleton: make reset LAB=03
+kit: build ## pack the kit for students, without solutions: build/shadow-lab-kit.tar.gz [LAB=03: can grade only that]
+	@grader/make_kit $(BUILD) $(LAB)
+
+gradescope: ## pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]
+	@grader/make_gradescope $(BUILD) $(LAB)
+
+reset: $(filter $(BUILD)/skeletons,$(TOOLS:%=$(BUILD)/%)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@grader/reset $(LAB)
 
 clean: ## remove what was built
 	rm -rf $(BUILD)
 
 help: ## list the targets
-	@grep -hE '^[a-z_.]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z_.]+):.*## /\1\t/' | expand -t 24
+	@grep -hE '^[a-z_.-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z_.-]+):.*## /\1\t/' | expand -t 24
 
 $(BUILD)/include/glad/gl.h:
 	glad --quiet --reproducible --out-path $(BUILD)/glad --api gl:core=4.1 --extensions '' c --debug
@@ -103,6 +129,24 @@ $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
 $(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
+inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
+$(INSIDE): SANITIZE :=
+$(BUILD)/jail_shim: $(call inside,shim)
+	$(CC) $(STATIC) -o $@ $^ -lseccomp
+# A shim weakened on purpose, for the tests of the self-test.
+WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
+$(WEAK): SANITIZE :=
+$(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/weak_%.o $(call inside,shim)
+	$(CC) $(STATIC) -o $@ $(filter-out %/shim_$*.o,$^) -lseccomp
+$(BUILD)/without: $(BUILD)/grader/tests/without.o
+	$(CC) -o $@ $^ -lseccomp
+$(BUILD)/hostile: $(BUILD)/grader/tests/hostile.o $(GRADER) $(NO_GL)
+	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
+$(BUILD)/test_jail: | $(WEAK)
+$(BUILD)/jail_probe: $(call inside,probe) $(call inside,attack)
+	$(CC) -o $@ $^ -lpthread -lrt
+$(BUILD)/jail_unpack: $(call inside,unpack)
+	$(CC) -o $@ $^ -larchive
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
 $(BUILD)/watch: $(WATCH) $(GRADER) $(NO_GL)
@@ -111,6 +155,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: sanitize build grade demo hint skeletons pictures table test check bench study chart compile_commands.json reset clean help
+.PHONY: test-hostile kit gradescope sanitize build grade watch progress trace demo hint skeletons pictures table test check bench study chart compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -112,6 +112,18 @@ static bool study(const ChartOptions *options, StudyPlan *plan) {
     return ok;
 }
 
+// Strangers' code is compiled and run in a jail.
+static bool open_jail_for(const ChartOptions *options, StudyPlan *plan, Jail *jail) {
+    if (!options->submission || options->trusted)
+        return true;
+    if (!jail_create(jail, JAIL_NONE))
+        return false;
+    if (jail->notice[0])
+        fprintf(stderr, "chart: %s\n", jail->notice);
+    plan->crew.jail = jail;
+    return true;
+}
+
 static int compare(char **paths) {
     int unexplained;
     if (csv_compare(paths[0], paths[1], stdout, &unexplained))
@@ -123,6 +135,7 @@ static int compare(char **paths) {
 int main(int count, char **arguments) {
     static ChartOptions options;
     static StudyPlan plan;
+    static Jail jail;
     if (!chart_options_parse(&options, count, arguments)) {
         fprintf(stderr, "chart: %s\n%s", check_message(), chart_options_usage);
         return 2;
@@ -139,10 +152,11 @@ int main(int count, char **arguments) {
     plan.frames = options.frames ? options.frames : options.quick ? 6 : 30;
     plan.crew.submission_lab = options.lab;
     plan.crew.submission = options.submission;
-    bool ok = study(&options, &plan);
+    bool ok = open_jail_for(&options, &plan, &jail) && study(&options, &plan);
     if (!ok)
         fprintf(stderr, "\nchart: %s\n", check_message());
     crew_dismiss(&plan.crew);
     state_close(&plan.state);
+    jail_destroy(&jail);
     return ok ? 0 : 1;
 }

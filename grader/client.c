@@ -17,10 +17,14 @@ static const bool limits_memory = false; // the sanitizer reserves terabytes of 
 static const bool limits_memory = true;
 #endif
 
+static double wall_seconds(const Client *client) {
+    return client->seconds * (client->patience > 0 ? client->patience : 1);
+}
+
 bool client_start(Client *client) {
     char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
-    home_build_path(worker, "worker");
-    home_path(shaders, "shaders");
+    jail_part(client->jail, "worker", worker);
+    jail_part(client->jail, "shaders", shaders);
     home_build_path(cache, "cache/shaders");
     snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
     bool ours = client->trust == TRUST_OURS;
@@ -33,14 +37,14 @@ bool client_start(Client *client) {
                            "LC_ALL=C",
                            ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true",
                            NULL};
-    ProcessLimits limits = {.wall_seconds = 3600};
+    JailPlan plan = {
+        .kind = JAIL_DRAW, .limits = {.wall_seconds = 3600}, .folder = ours ? "/" : client->folder};
     if (!ours)
-        limits = (ProcessLimits){.wall_seconds = client->seconds,
-                                 .cpu_seconds = (unsigned)client->seconds + 1,
-                                 .memory_mib = limits_memory ? MEMORY_MIB : 0,
-                                 .file_mib = 1};
-    client->started =
-        process_start(&client->process, arguments, environment, ours ? "/" : client->folder, &limits);
+        plan.limits = (ProcessLimits){.wall_seconds = wall_seconds(client),
+                                      .cpu_seconds = (unsigned)client->seconds + 1,
+                                      .memory_mib = limits_memory ? MEMORY_MIB : 0,
+                                      .file_mib = 1};
+    client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
     return client->started;
 }
 
@@ -74,6 +78,14 @@ static DrawResult explain_end(const Client *client, char *text, size_t size) {
     return DRAW_LOST;
 }
 
+// All of it is the submission's to write.
+static void clean_reply(Reply *reply) {
+    reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
+    for (int i = 0; i < LAB_MAX_PASSES; i++)
+        if (!(reply->milliseconds[i] >= 0 && reply->milliseconds[i] < 1e9f))
+            reply->milliseconds[i] = 0;
+}
+
 DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply) {
     memset(reply, 0, sizeof *reply);
     if (image->width != request->width || image->height != request->height) {
@@ -84,7 +96,7 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
     bool ok = (client->started || client_start(client)) &&
               process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
               process_exchange(process, NULL, 0, image->rgba, image_bytes(image));
-    reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
+    clean_reply(reply);
     DrawResult result = reply->drawn ? DRAW_OK : DRAW_FAILED;
     if (ok && reply->magic != PROTOCOL_MAGIC) {
         snprintf(reply->message, sizeof reply->message,
@@ -95,14 +107,14 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
         result = explain_end(client, reply->message, sizeof reply->message);
     }
     if (reply->message[0])
-        compile_locate(client->trust == TRUST_OURS ? request->folder : client->folder, reply->message,
-                       sizeof reply->message);
+        compile_locate(client->trust == TRUST_OURS ? request->folder : client->folder, client->jail,
+                       reply->message, sizeof reply->message);
     return result;
 }
 
 void client_begin(Client *client) {
     if (client->started && client->trust == TRUST_NOBODY)
-        client->process.deadline = process_now() + client->seconds;
+        client->process.deadline = process_now() + wall_seconds(client);
 }
 
 void client_stop(Client *client) {

@@ -82,7 +82,7 @@ static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts
     snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
     if (!files_make_folder(aside) || !write_texts(aside, rubric, texts))
         return false;
-    if (!compile_lab(aside, log)) {
+    if (!compile_lab(aside, NULL, log)) {
         files_remove(aside);
         return check_fail("%s", log) || check_fail("our own lab %s does not compile", rubric->id);
     }
@@ -106,7 +106,7 @@ bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, c
     return ok;
 }
 
-bool derive_submission(const char *folder, const Rubric *rubric, const char *submission,
+bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                        char log[COMPILE_LOG]) {
     Texts texts = {0};
     bool ok = true;
@@ -116,7 +116,7 @@ bool derive_submission(const char *folder, const Rubric *rubric, const char *sub
         ok = texts.of[i] && replace_text(&texts.of[i], source_select(rubric->files[i], texts.of[i],
                                                                      (Solved){SOLVED_ALL, NULL}, true));
     }
-    ok = ok && write_texts(folder, rubric, &texts) && compile_lab(folder, log);
+    ok = ok && write_texts(folder, rubric, &texts) && compile_lab(folder, jail, log);
     free_texts(&texts);
     return ok;
 }

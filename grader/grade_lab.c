@@ -3,6 +3,7 @@
 #include "check.h"
 #include "derive.h"
 #include "diagnose.h"
+#include "recorded.h"
 #include "report/evidence.h"
 #include "score.h"
 
@@ -152,11 +153,7 @@ static void note_ignored(const char *name, void *context) {
     for (int i = 0; i < ignored->rubric->file_count; i++)
         if (strcmp(ignored->rubric->files[i], name) == 0)
             return;
-    char ours[FILES_PATH];
-    files_join(ours, ignored->rubric->folder, name);
-    if (strlen(name) < 200 && files_exists(ours))
-        return; // part of the handout
-    if (++ignored->count > 8)
+    if (recorded_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
         return;
     char text[400];
     snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
@@ -168,8 +165,8 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
     Ignored ignored = {rubric, result, 0};
-    bool ok = files_list(submission, note_ignored, &ignored) &&
-              derive_submission(student->folder, rubric, submission, log);
+    bool ok = files_is_folder(submission) && files_list(submission, note_ignored, &ignored) &&
+              derive_submission(student->folder, rubric, submission, student->jail, log);
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
         fail_lab(result, LAB_ERROR, text);
@@ -186,13 +183,17 @@ static bool examine(LabResult *result, Examiner *examiner, Client *student, cons
     if (!exam)
         return false;
     client_begin(student);
-    grade_frames(result, exam, student, exam->roster);
+    grade_frames(result, exam, student, options->untimed ? NULL : exam->roster);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 
 bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options) {
     static Client student;
-    student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
+    student = (Client){.trust = TRUST_NOBODY,
+                       .jail = options->jail,
+                       .context = options->context,
+                       .seconds = options->seconds,
+                       .patience = options->patience};
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;

@@ -3,6 +3,7 @@
 // Loads LAB_FOLDER/lab.so and draws the frames that a client asks for (protocol.h). It never talks to anybody
 // else, so whatever a lab does to its process, the client only sees pixels of known size, an end of file or a
 // silence. With LAB_FOLDER "-" each request names its lab: for ours, which may share a process.
+#include "capture.h"
 #include "context.h"
 #include "host.h"
 #include "protocol.h"
@@ -84,7 +85,9 @@ static bool answer(const Request *request) {
     if (!pixels)
         return false;
     memset(&reply, 0, sizeof reply);
+    capture_begin();
     bool drawn = draw(request, &reply, pixels);
+    capture_end();
     fill_reply(&reply, drawn);
     bool sent = transfer(PROTOCOL_REPLIES, &reply, sizeof reply, true) &&
                 transfer(PROTOCOL_REPLIES, pixels, bytes, true);

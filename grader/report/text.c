@@ -17,14 +17,17 @@ static void print_lines(FILE *out, const char *prefix, const char *text) {
     }
 }
 
-static void print_check(const CheckResult *check, FILE *out, const Colors *colors) {
+// A hint that has just been given to the check before is not given again.
+static void print_check(const CheckResult *check, const CheckResult *before, FILE *out,
+                        const Colors *colors) {
     fprintf(out, "  %s%s%s %6.2f/%-3d %-4s %s%s\n", check->passed ? colors->good : colors->bad,
             check->passed ? "ok  " : "FAIL", colors->end, result_points(check), check->check->points,
             check->check->task, check->check->name, check->check->optional ? " (optional)" : "");
     if (!check->has_cause)
         return;
     fprintf(out, "         %s%s%s\n", colors->bold, check->mistake, colors->end);
-    print_lines(out, "         ", check->hint);
+    if (!before || strcmp(before->hint, check->hint) != 0)
+        print_lines(out, "         ", check->hint);
 }
 
 static void print_bar(double share, FILE *out) {
@@ -42,7 +45,7 @@ static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
     if (lab->warnings[0])
         print_lines(out, "  note: ", lab->warnings);
     for (int c = 0; c < lab->check_count; c++)
-        print_check(&lab->checks[c], out, colors);
+        print_check(&lab->checks[c], c > 0 ? &lab->checks[c - 1] : NULL, out, colors);
     fputs("  ", out);
     print_bar(lab->max_score > 0 ? lab->score / lab->max_score : 0, out);
     fprintf(out, " %.2f of %.0f points, %s%s%s", lab->score, lab->max_score,

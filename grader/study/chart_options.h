@@ -12,6 +12,7 @@ typedef struct ChartOptions {
     int scene_count, frames;
     MetricsSize size;
     bool quick, compare;
+    bool trusted; // no jail for the submission
 } ChartOptions;
 
 extern const char chart_options_usage[];

@@ -10,7 +10,7 @@
 static Artist *hire(const Crew *crew, const Method *method) {
     Artist *artist = calloc(1, sizeof *artist);
     INVARIANT(artist);
-    if (method->submission ? artist_open_submission(artist, method->lab, crew->submission)
+    if (method->submission ? artist_open_submission(artist, method->lab, crew->submission, crew->jail)
                            : artist_open(artist, method->lab))
         return artist;
     artist_close(artist);

@@ -7,6 +7,7 @@ enum { CREW_MOST = 16 };
 
 typedef struct Crew {
     const char *submission_lab, *submission; // NULL: there is none
+    const Jail *jail;                        // for the submission; NULL: none
     Artist *ours[CREW_MOST], *submitted;     // opened when they are first asked for
     int count;
 } Crew;

@@ -25,6 +25,8 @@ grep -qE '(src|href)="?https?:' "$work/one/chart.html" && bad "the page needs no
 [[ $(grep -oF '"frame":"data:image/png;base64,' "$work/one/chart.html" | wc -l) == 19 ]] && ok || bad "the page holds each setting's frame"
 [[ $(grep -c '^errors' "$work/one/state") == 19 && $(grep -c '^time' "$work/one/state") == 38 ]] && ok || bad "the state has each measurement once"
 
+browses chart.mjs "$work/one/chart.html"
+
 # Killed at any time, it goes on: nothing that is on disk is measured again.
 "$chart" --size 64x48 --frames 4 --scene edges --output "$work/two" >/dev/null 2>&1 &
 pid=$!
