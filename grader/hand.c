@@ -11,8 +11,12 @@ Scene hand_wall(float half_size, float distance, float fov_y) {
     return scene;
 }
 
+double hand_radians(double degrees) {
+    return degrees * GLM_PI / 180;
+}
+
 double hand_unit(const Scene *scene, int height) {
-    return 2 * scene->camera.eye.z * tan(scene->camera.fov_y / 2) / height;
+    return 2 * scene->camera.eye.z * tan(0.5 * scene->camera.fov_y) / height;
 }
 
 void hand_add(Scene *scene, Shape shape, vec3s center, vec3s half_size, float turn) {
@@ -33,4 +37,15 @@ void hand_light(Scene *scene, LightKind kind, vec3s position, vec3s target, floa
                                                   .half_size = half_size,
                                                   .near_plane = near_plane,
                                                   .far_plane = far_plane};
+}
+
+void hand_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn) {
+    hand_add(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), turn);
+    mat4s *placed = &scene->objects[scene->object_count - 1].world_from_object;
+    *placed = glms_rotate(*placed, glm_rad(90), vec3_make(1, 0, 0));
+    *placed = glms_scale(*placed, vec3_make(half_width, 1, half_height));
+}
+
+double hand_beside_wall(double x, double h) {
+    return (1 - x / sqrt(x * x + h * h)) / 2;
 }
