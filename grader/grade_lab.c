@@ -69,13 +69,6 @@ typedef struct Ratios {
     int count;
 } Ratios;
 
-static bool has_bad_pixels(const Image *image) {
-    for (size_t at = 3; at < image_bytes(image); at += 4)
-        if (image->rgba[at] == 0)
-            return true;
-    return false;
-}
-
 // Draws one frame of the student's; false when no more frames will come.
 static bool draw_one(LabResult *result, Client *student, const Variant *variant, Image *yours,
                      float *milliseconds) {
@@ -84,11 +77,8 @@ static bool draw_one(LabResult *result, Client *student, const Variant *variant,
     if (drawn == DRAW_OK) {
         if (reply.message[0])
             add_warning(result, reply.message);
-        if (has_bad_pixels(yours))
-            add_warning(
-                result,
-                "some pixels are not finite numbers (NaN or infinity): is there a division by zero, a "
-                "pow of a negative number or a normalize of a zero vector in a shader?");
+        if (score_not_finite(yours))
+            add_warning(result, score_not_finite(yours));
         *milliseconds = exam_milliseconds(&reply);
         return true;
     }
