@@ -29,6 +29,9 @@ JAIL := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/*.c))
 INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
 STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-static)
 GRADER += $(JAIL)
+# For their tests; among them shims that are weakened on purpose.
+WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
+HOSTILE := $(BUILD)/hostile $(BUILD)/without $(WEAK)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
 ON_STUDY := $(patsubst %,$(BUILD)/%,test_truth_lab)
@@ -72,10 +75,10 @@ pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 table: build ## prove the rubrics and put the table into grader/README.md
 	@grader/table
 
-test: build $(TESTS) $(BUILD)/without $(BUILD)/hostile ## run all tests
+test: build $(TESTS) $(HOSTILE) ## run all tests
 	@grader/tests/run $(BUILD)
 
-test-hostile: build $(BUILD)/without $(BUILD)/hostile ## attacks on the grader, by both routes into the jail (part of test)
+test-hostile: build $(HOSTILE) ## attacks on the grader, by both routes into the jail (part of test)
 	@BUILD=$(BUILD) grader/tests/test_hostile.sh
 
 sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
@@ -127,8 +130,6 @@ inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
 $(INSIDE): override SANITIZE :=
 $(BUILD)/jail_shim: $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $^ -lseccomp
-# A shim weakened on purpose, for the tests of the self-test.
-WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
 $(WEAK): override SANITIZE :=
 $(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/weak_%.o $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $(filter-out %/shim_$*.o,$^) -lseccomp

@@ -6,7 +6,7 @@ source "$(dirname "$0")/lib.sh"
 copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{Makefile,common,shaders,labs,solutions,grader,.clang-format} "$copy"
-cp -r "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include} "$copy/build"
+cp -r "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include} "$root/$BUILD"/jail_* "$copy/build"
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 
