@@ -16,13 +16,14 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
 # Those that are there: the student's kit does without some.
-TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record bench_frames bench_truth)))
+TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record scenes bench_frames bench_truth \
+	stability)))
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view capture)
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
-ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion test_truth_lab)
+ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth stability test_truth test_truth_occlusion test_truth_lab)
 # The jail: the keeper's side belongs to the grader; the programs of inside/ stand alone. The shim is static where the
 # system has the archives, so that a process inside begins sooner.
 JAIL := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/*.c))
@@ -34,7 +35,8 @@ WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
 HOSTILE := $(BUILD)/hostile $(BUILD)/without $(WEAK)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
-ON_STUDY := $(patsubst %,$(BUILD)/%,test_truth_lab)
+ON_STUDY := $(patsubst %,$(BUILD)/%,stability test_truth_lab)
+STABILITY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/stability/*.c))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -45,7 +47,7 @@ TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c
 # The watch: a program of several files.
 WATCH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/watch/*.c))
 
-build: $(BUILD)/worker $(BUILD)/watch $(INSIDE) $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+build: $(BUILD)/worker $(BUILD)/watch $(INSIDE) $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(if $(filter labs,$(SUBMISSION)),--record) $(ARGS) $(SUBMISSION)
@@ -66,16 +68,22 @@ hint: ## show the hints of a task: make hint TASK=3.2
 trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame debugger: make trace LAB=03 [TOOL=renderdoc] [SCENE="far floor"]
 	@TOOL="$(TOOL)" SCENE="$(SCENE)" grader/trace $(LAB)
 
+site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: build/site/index.html (needs common/setup --check)
+	@node grader/site/build.mjs $(BUILD)/site
+
+%/node_modules/.package-lock.json: %/package.json
+	cd $* && npm install --no-package-lock --no-audit --no-fund --loglevel=error && touch node_modules/.package-lock.json
+
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
 
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@grader/pictures $(LAB)
 
-table: build ## prove the rubrics and put the table into grader/README.md
+table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@grader/table
 
-test: build $(TESTS) $(HOSTILE) ## run all tests
+test: build $(BUILD)/stability $(TESTS) $(HOSTILE) ## run all tests
 	@grader/tests/run $(BUILD)
 
 test-hostile: build $(HOSTILE) ## attacks on the grader, by both routes into the jail (part of test)
@@ -88,8 +96,15 @@ sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of r
 check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 	@grader/gates $(BUILD)
 
+stability: build $(BUILD)/stability ## where each method breaks: all rows, and build/study/stability.html
+	@$(BUILD)/stability $(ARGS)
+
 bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)
+
+.PHONY: bench-class
+bench-class: build ## labs a minute of a class run, cold and known shaders, and how it grows: ARGS="--labs 05 --counts 50,800"
+	@grader/bench_class $(BUILD) $(ARGS)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
@@ -121,9 +136,12 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(ON_TRUTH): $(TRUTH)
 $(ON_STUDY): $(STUDY)
+$(BUILD)/stability: $(STABILITY)
+$(BUILD)/test_curve: $(BUILD)/grader/stability/curve.o
 $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
+$(BUILD)/grader/score.o: CFLAGS += -O3 # the vectors halve what a picture costs
 $(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
@@ -151,6 +169,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: test-hostile kit gradescope sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: test-hostile kit gradescope sanitize build grade watch progress trace site demo hint skeletons pictures table test check stability bench compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

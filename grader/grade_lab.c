@@ -121,6 +121,17 @@ static double points_left(const LabResult *result, const Exam *exam) {
     return points;
 }
 
+void grade_pictures(LabResult *result, const Exam *exam) {
+    for (int c = 0; c < result->check_count; c++) {
+        score_check(&result->checks[c], exam->variants[c]);
+        result->score += result_points(&result->checks[c]);
+    }
+    bool passed =
+        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
+    if (!result->message[0])
+        result->status = passed ? LAB_PASSED : LAB_FAILED;
+}
+
 void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster) {
     Ratios ratios = {0};
     bool alive = true;
@@ -131,15 +142,10 @@ void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *
             alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &milliseconds);
         if (roster)
             add_ratio(&ratios, milliseconds, &exam->variants[c][check->check->variants - 1], roster);
-        score_check(check, exam->variants[c]);
-        result->score += result_points(check);
     }
     qsort(ratios.values, (size_t)ratios.count, sizeof ratios.values[0], by_value);
     result->speed_ratio = ratios.count > 0 ? ratios.values[ratios.count / 2] : 0;
-    bool passed =
-        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
-    if (!result->message[0])
-        result->status = passed ? LAB_PASSED : LAB_FAILED;
+    grade_pictures(result, exam);
 }
 
 typedef struct Ignored {
@@ -177,6 +183,21 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     return ok;
 }
 
+// What the lab prints, for who debugs in this way; the first lines are enough.
+static void note_output(LabResult *result, const char *printed) {
+    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
+    char text[MAX_TEXT + 64] = "it printed:";
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+        end += strcspn(end, "\n");
+        end += *end == '\n';
+    }
+    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
+    if (printed[0])
+        add_warning(result, text);
+}
+
 static bool examine(LabResult *result, Examiner *examiner, Client *student, const GradeOptions *options) {
     client_start(student);
     Exam *exam = examiner_exam(examiner, options);
@@ -184,6 +205,7 @@ static bool examine(LabResult *result, Examiner *examiner, Client *student, cons
         return false;
     client_begin(student);
     grade_frames(result, exam, student, options->untimed ? NULL : exam->roster);
+    note_output(result, student->process.text);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 

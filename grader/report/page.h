@@ -21,5 +21,8 @@ char *page_end(Page *page);
 // Writes text, escaped for element content and for attributes in double quotes.
 void page_text(Page *page, const char *text);
 
+// Writes a data: URI with the bytes; `type` is "image/png".
+void page_data(Page *page, const char *type, const void *bytes, size_t size);
+
 // Writes an <img> with the picture as a data: URI. `description` is its alt text.
 void page_picture(Page *page, const Image *image, const char *class_name, const char *description);

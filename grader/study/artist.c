@@ -46,12 +46,21 @@ bool artist_change(Artist *artist, const Change *change) {
     return painter != NULL;
 }
 
-const Change *artist_mistake(const Artist *artist, const char *name) {
-    for (int i = 0; i < artist->rubric.mistake_count; i++)
-        if (strcmp(artist->rubric.mistakes[i].name, name) == 0)
-            return &artist->rubric.mistakes[i];
-    check_fail("lab %s has no mistake \"%s\" in mistakes.json", artist->rubric.id, name);
+static const Change *find(const Artist *artist, const Change *changes, int count, const char *kind,
+                          const char *name) {
+    for (int i = 0; i < count; i++)
+        if (strcmp(changes[i].name, name) == 0)
+            return &changes[i];
+    check_fail("lab %s has no %s \"%s\" in %ss.json", artist->rubric.id, kind, name, kind);
     return NULL;
+}
+
+const Change *artist_mistake(const Artist *artist, const char *name) {
+    return find(artist, artist->rubric.mistakes, artist->rubric.mistake_count, "mistake", name);
+}
+
+const Change *artist_alternative(const Artist *artist, const char *name) {
+    return find(artist, artist->rubric.alternatives, artist->rubric.alternative_count, "alternative", name);
 }
 
 bool artist_draw(Artist *artist, const Request *request, Image *image, Reply *reply) {
