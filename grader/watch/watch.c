@@ -2,6 +2,7 @@
 #include "changes.h"
 #include "check.h"
 #include "home.h"
+#include "recorded.h"
 #include "screens.h"
 #include "terminal.h"
 #include "viewer.h"
@@ -13,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 enum { EXIT_DONE, EXIT_OPEN, EXIT_USAGE, EXIT_FAULT, LOOK_EVERY = 100, PLAIN_WIDTH = 100 };
@@ -74,7 +74,8 @@ static bool parse(Options *options, int count, char **arguments) {
     const char *context = getenv("SHADOW_LAB_CONTEXT");
     home_path(labs, "labs");
     *options = (Options){.folder = labs, .bench.seconds = 20};
-    INVARIANT(getrandom(&options->bench.seed, sizeof options->bench.seed, 0) == sizeof options->bench.seed);
+    if (!recorded_draw_seed(&options->bench.seed))
+        return false;
     if (context && !context_parse(&options->bench.context, context))
         return false;
     opterr = 0;
