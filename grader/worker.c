@@ -97,6 +97,7 @@ int main(int count, char **arguments) {
         return 2;
     }
     watch_crashes();
+    setvbuf(stdout, NULL, _IOLBF, 0); // what a lab prints comes with its frame
     worker.lab_folder = arguments[2];
     worker.shader_folder = arguments[3];
     shader_source_folders(".", worker.shader_folder);

@@ -222,6 +222,27 @@ static void test_state(void **unused) {
     assert_false(state_request(&state, 40, 30, &request));
 }
 
+// A check is named only as long as everything is as it asks.
+static void test_label(void **unused) {
+    (void)unused;
+    const Rubric rubric = {.check_count = 1,
+                           .checks = {{.name = "far",
+                                       .task = "3.8",
+                                       .view = "visibility",
+                                       .scene = "far floor",
+                                       .knobs = {{"map size", 64}},
+                                       .knob_count = 1}}};
+    char text[300];
+    State state;
+    state_begin(&state, &rubric);
+    state_step_check(&state, &rubric, 1);
+    state_text(&state, &rubric, text, sizeof text);
+    assert_string_equal(text, "visibility of \"far floor\", seed 1  [check 3.8: far]");
+    state_set_knob(&state, "map size", 128);
+    state_text(&state, &rubric, text, sizeof text);
+    assert_string_equal(text, "visibility of \"far floor\", seed 1");
+}
+
 static void write_file(const char *folder, const char *name, const char *text) {
     char path[FILES_PATH];
     files_join(path, folder, name);
@@ -274,10 +295,11 @@ static void test_description(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_camera),     cmocka_unit_test(test_limits),     cmocka_unit_test(test_light),
-        cmocka_unit_test(test_knobs),      cmocka_unit_test(test_knob_texts), cmocka_unit_test(test_split),
-        cmocka_unit_test(test_difference), cmocka_unit_test(test_places),     cmocka_unit_test(test_state),
-        cmocka_unit_test(test_watch),      cmocka_unit_test(test_description)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_camera),     cmocka_unit_test(test_limits),
+                                       cmocka_unit_test(test_light),      cmocka_unit_test(test_knobs),
+                                       cmocka_unit_test(test_knob_texts), cmocka_unit_test(test_split),
+                                       cmocka_unit_test(test_difference), cmocka_unit_test(test_places),
+                                       cmocka_unit_test(test_state),      cmocka_unit_test(test_label),
+                                       cmocka_unit_test(test_watch),      cmocka_unit_test(test_description)};
     return cmocka_run_group_tests_name("view", tests, NULL, NULL);
 }

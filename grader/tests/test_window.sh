@@ -131,6 +131,8 @@ keys 2
 wait_for "the window lives on" titled "reference"
 keys 1 && restore
 wait_for "mended again" shows
+in_map '{ extern int puts(const char *); puts("said by the map pass"); }'
+wait_for "what a lab prints is seen" told "said by the map pass"
 in_map '*(volatile int *)frame->width = 1;'
 wait_for "a crash is told with its place" told "it crashed: Segmentation fault (SEGV) in shadow map (lab.c:"
 restore
