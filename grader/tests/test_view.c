@@ -1,5 +1,4 @@
-// The window's parts without GL: orbits, knobs, pictures put together, places, watched files, and the
-// description of a lab that a stranger's worker sends.
+// The window's parts without GL: orbits, knobs, pictures put together, places, states, watched files.
 #include "../window/compose.h"
 #include "../window/knob_step.h"
 #include "../window/orbit.h"
