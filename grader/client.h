@@ -4,6 +4,7 @@
 #include "context_kind.h"
 #include "files.h"
 #include "image.h"
+#include "jail/jail.h"
 #include "process.h"
 #include "protocol.h"
 
@@ -11,15 +12,17 @@
 
 typedef enum Trust {
     TRUST_OURS,  // a solution: no limits, compiled shaders are kept between runs
-    TRUST_NOBODY // a submission: limits on time and memory, nothing shared
+    TRUST_NOBODY // a submission: limits on time and memory, nothing shared, and the jail
 } Trust;
 
 typedef struct Client {
     char folder[FILES_PATH]; // holds lab.so and the lab's shaders; "-" for a worker of several labs of ours
     Trust trust;
+    const Jail *jail; // for a submission; NULL: its own author grades it, outside
     ContextKind context;
     const char *program; // beside ours, that speaks protocol.h; NULL: the worker
-    double seconds;      // wall and processor time that a submission may use
+    double seconds;      // processor time that a submission may use
+    double patience;     // wall time that it may use, in units of that; 0: 1
     bool each_turn; // `seconds` is wall time and begins anew with client_begin, whoever draws: for a window
     bool started;
     Process process;

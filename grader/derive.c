@@ -88,7 +88,7 @@ static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts
     snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
     if (!files_make_folder(aside) || !write_texts(aside, rubric, texts))
         return false;
-    if (!compile_lab(aside, log)) {
+    if (!compile_lab(aside, NULL, log)) {
         files_remove(aside);
         return check_fail("%s", log) || check_fail("our own lab %s does not compile", rubric->id);
     }
@@ -127,7 +127,7 @@ static bool take_library(const char *folder, const char *earlier) {
 }
 
 bool derive_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
-                  char log[COMPILE_LOG]) {
+                  const Jail *jail, char log[COMPILE_LOG]) {
     Texts texts = {0};
     bool ok = true;
     log[0] = '\0';
@@ -137,12 +137,12 @@ bool derive_again(const char *folder, const char *earlier, const Rubric *rubric,
                                                                      (Solved){SOLVED_ALL, NULL}, true));
     }
     ok = ok && write_texts(folder, rubric, &texts) &&
-         ((earlier && take_library(folder, earlier)) || compile_lab(folder, log));
+         ((earlier && take_library(folder, earlier)) || compile_lab(folder, jail, log));
     free_texts(&texts);
     return ok;
 }
 
-bool derive_submission(const char *folder, const Rubric *rubric, const char *submission,
+bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                        char log[COMPILE_LOG]) {
-    return derive_again(folder, NULL, rubric, submission, log);
+    return derive_again(folder, NULL, rubric, submission, jail, log);
 }

@@ -3,6 +3,7 @@
 // Loads LAB_FOLDER/lab.so and draws the frames that a client asks for (protocol.h). It never talks to anybody
 // else, so whatever a lab does to its process, the client only sees pixels of known size, an end of file or a
 // silence. With LAB_FOLDER "-" each request names its lab: for ours, which may share a process.
+#include "capture.h"
 #include "context.h"
 #include "host.h"
 #include "protocol.h"
@@ -76,7 +77,9 @@ static bool answer(const Request *request) {
     if (!payload)
         return false;
     memset(&reply, 0, sizeof reply);
+    capture_begin();
     bool done = perform(request, &reply, payload);
+    capture_end();
     fill_reply(&reply, done);
     bool sent = transfer_write(PROTOCOL_REPLIES, &reply, sizeof reply) &&
                 transfer_write(PROTOCOL_REPLIES, payload, bytes);
@@ -97,7 +100,7 @@ int main(int count, char **arguments) {
         return 2;
     }
     watch_crashes();
-    setvbuf(stdout, NULL, _IOLBF, 0); // what a lab prints comes with its frame
+    setvbuf(stdout, NULL, _IOLBF, 0); // what a lab prints is seen at once
     worker.lab_folder = arguments[2];
     worker.shader_folder = arguments[3];
     shader_source_folders(".", worker.shader_folder);

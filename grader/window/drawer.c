@@ -29,7 +29,8 @@ static bool build(Drawer *drawer, const DrawerSetup *setup, const Drawer *earlie
         return derive_ours(client->folder, setup->rubric, (Solved){SOLVED_ALL, NULL}, NULL);
     default:
         drawer->removes = files_make_temporary(client->folder);
-        return drawer->removes && derive_again(client->folder, lender, setup->rubric, setup->submission, log);
+        return drawer->removes &&
+               derive_again(client->folder, lender, setup->rubric, setup->submission, NULL, log);
     }
 }
 
