@@ -33,7 +33,8 @@ STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-sta
 GRADER += $(JAIL)
 # The window, the only user of GLFW and stb; the truth is one of its views where Embree is there.
 WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
-VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
+EMBREE := $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew))
+VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(and $(EMBREE),$(TRUTH)),$(BUILD)/truth_worker)
 # For their tests; among them shims that are weakened on purpose.
 WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
 HOSTILE := $(BUILD)/hostile $(BUILD)/without $(WEAK)

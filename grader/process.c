@@ -240,6 +240,11 @@ bool process_exchange(Process *process, const void *request, size_t request_size
     return false;
 }
 
+void process_forget_output(Process *process) {
+    process->printed = 0;
+    process->text[0] = '\0';
+}
+
 void process_wait(Process *process) {
     close_end(&process->input);
     reap(process);
