@@ -88,7 +88,7 @@ static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts
     snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
     if (!files_make_folder(aside) || !write_texts(aside, rubric, texts))
         return false;
-    if (!compile_lab(aside, log)) {
+    if (!compile_lab(aside, NULL, log)) {
         files_remove(aside);
         return check_fail("%s", log) || check_fail("our own lab %s does not compile", rubric->id);
     }
@@ -112,8 +112,22 @@ bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, c
     return ok;
 }
 
-bool derive_submission(const char *folder, const Rubric *rubric, const char *submission,
-                       char log[COMPILE_LOG]) {
+// Takes lab.so from an earlier folder; false when lab.c is not the same there.
+static bool take_library(const char *folder, const char *earlier) {
+    char path[FILES_PATH], old_path[FILES_PATH];
+    files_join(path, folder, "lab.c");
+    files_join(old_path, earlier, "lab.c");
+    char *text = files_read(path, DERIVE_MAX_FILE), *old = files_read(old_path, DERIVE_MAX_FILE);
+    bool same = text && old && strcmp(text, old) == 0;
+    free(text);
+    free(old);
+    files_join(path, folder, "lab.so");
+    files_join(old_path, earlier, "lab.so");
+    return same && link(old_path, path) == 0;
+}
+
+bool derive_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
+                  const Jail *jail, char log[COMPILE_LOG]) {
     Texts texts = {0};
     bool ok = true;
     log[0] = '\0';
@@ -122,7 +136,13 @@ bool derive_submission(const char *folder, const Rubric *rubric, const char *sub
         ok = texts.of[i] && replace_text(&texts.of[i], source_select(rubric->files[i], texts.of[i],
                                                                      (Solved){SOLVED_ALL, NULL}, true));
     }
-    ok = ok && write_texts(folder, rubric, &texts) && compile_lab(folder, log);
+    ok = ok && write_texts(folder, rubric, &texts) &&
+         ((earlier && take_library(folder, earlier)) || compile_lab(folder, jail, log));
     free_texts(&texts);
     return ok;
+}
+
+bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
+                       char log[COMPILE_LOG]) {
+    return derive_again(folder, NULL, rubric, submission, jail, log);
 }

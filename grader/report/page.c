@@ -98,7 +98,7 @@ void page_data(Page *page, const char *type, const void *bytes, size_t size) {
 
 void page_picture(Page *page, const Image *image, const char *class_name, const char *description) {
     size_t size;
-    uint8_t *png = image_encode_png(image, &size);
+    uint8_t *png = image_encode_png(image, false, &size);
     fprintf(page->out, "<img class=\"%s\" width=\"%d\" height=\"%d\" alt=\"", class_name, image->width,
             image->height);
     page_text(page, description);

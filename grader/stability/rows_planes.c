@@ -166,23 +166,23 @@ static bool run_sky(Bench *bench, Findings *findings) {
 #define SIGHT "closed form: rays against the caster from each pixel's point on the plane"
 
 const Row rows_planes[] = {
-    {19, "the eye in a shadow", "z-pass, z-fail", "the eye moves through a shadow volume",
+    {19, "eye in a shadow", "z-pass, z-fail", "the eye moves through a shadow volume",
      "Z-pass counts from the eye: when the eye stands in a volume, each count is one too small, and light "
      "and "
      "shadow change places. Z-fail counts from infinity and does not care.",
      SIGHT, run_eye},
-    {20, "the near plane in a shadow", "z-pass, z-fail",
+    {20, "near plane in a shadow", "z-pass, z-fail",
      "the near plane moves through a shadow volume that lies before the wall",
      "Z-pass loses the front faces that the near plane cuts away, and the back faces behind them make a "
      "false "
      "shadow: just where the plane's point is in the volume, so only while the plane crosses it. Z-fail is "
      "right everywhere.",
      SIGHT, run_near},
-    {21, "the far plane", "z-fail", "the far plane moves away behind the wall",
+    {21, "far plane", "z-fail", "the far plane moves away behind the wall",
      "With a finite far plane the volumes are cut off behind the wall, and z-fail is wrong where the plane's "
      "point is in a volume. A projection without a far plane, or GL_DEPTH_CLAMP, mends it at any distance.",
      SIGHT, run_far},
-    {22, "an open sky", "z-fail", "the width of a plate between a lamp and the sky",
+    {22, "open sky", "z-fail", "the width of a plate between a lamp and the sky",
      "A far cap at infinity has depth 1, and so has the empty sky. GL_LESS lets the cap fail there, and "
      "z-fail counts it: the sky stands in a shadow. GL_LEQUAL counts nothing.",
      "closed form: rays from the lamp against the plate in each pixel's direction", run_sky},

@@ -25,7 +25,7 @@ bool artist_open(Artist *artist, const char *id) {
 static bool derive(Artist *artist, const char *folder) {
     char log[COMPILE_LOG] = "";
     return files_make_temporary(artist->client.folder) &&
-           (derive_submission(artist->client.folder, &artist->rubric, folder, log) ||
+           (derive_submission(artist->client.folder, &artist->rubric, folder, NULL, log) ||
             check_fail("%s", log[0] ? log : "the submission does not compile"));
 }
 

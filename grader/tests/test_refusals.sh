@@ -6,7 +6,8 @@ source "$(dirname "$0")/lib.sh"
 copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{Makefile,common,shaders,labs,solutions,grader,.clang-format} "$copy"
-cp -r "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include} "$copy/build"
+mkdir -p "$root/$BUILD/cache"
+cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,cache} "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 

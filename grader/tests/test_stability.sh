@@ -65,6 +65,13 @@ faulty 13 03 "the size of the map is fixed"
 faulty 15 05 "the kernel is not centred on the point"
 faulty 16 06 "the square root is missing: the samples crowd in the middle"
 faulty 17 06 "the innermost samples come first"
+faulty 18 03 "the size of the map is fixed"
+faulty 19 07 "back faces are culled"
+faulty 22 07 "z-fail keeps the depth function GL_LESS"
+faulty 23 07 "the far caps are wound like the near ones"
+faulty 24 07 "the volumes have a fixed length"
+faulty 28 08 "directions are uniform, not cosine-weighted"
+faulty 29 08 "the length of the rays is not limited"
 [[ $(json 'rows[0]["status"]') == fail ]] && ok || bad "the JSON says so"
 
 # What a user can get wrong.
