@@ -17,14 +17,14 @@ LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
 # Those that are there: the student's kit does without some.
 TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record scenes bench_frames bench_truth truth_worker \
-	stability)))
+	stability chart)))
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view capture)
 SERVERS := $(BUILD)/grader/transfer.o # of every program that answers requests
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
-ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth truth_worker stability test_truth test_truth_occlusion test_truth_lab)
+ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth truth_worker stability chart test_truth test_truth_occlusion test_truth_lab test_study)
 # The jail: the keeper's side belongs to the grader; the programs of inside/ stand alone. The shim is static where the
 # system has the archives, so that a process inside begins sooner.
 JAIL := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/*.c))
@@ -36,7 +36,7 @@ WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
 VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
-ON_STUDY := $(patsubst %,$(BUILD)/%,stability test_truth_lab)
+ON_STUDY := $(patsubst %,$(BUILD)/%,stability chart test_truth_lab test_study)
 STABILITY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/stability/*.c))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
@@ -89,7 +89,7 @@ pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@grader/table
 
-test: build $(BUILD)/stability $(TESTS) $(BUILD)/without $(BUILD)/hostile ## run all tests
+test: build $(BUILD)/stability $(TESTS) $(BUILD)/without $(BUILD)/hostile $(BUILD)/chart ## run all tests
 	@grader/tests/run $(BUILD)
 
 test-hostile: build $(BUILD)/without $(BUILD)/hostile ## attacks on the grader, by both routes into the jail (part of test)
@@ -107,6 +107,14 @@ stability: build $(BUILD)/stability ## where each method breaks: all rows, and b
 
 bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)
+
+HAS_STUDY := $(wildcard grader/chart.c)
+study: $(if $(HAS_STUDY),build $(BUILD)/chart) ## chart speed against error: make study [LAB=05 [SUBMISSION=labs]] [ARGS=--quick]
+	$(if $(HAS_STUDY),$(BUILD)/chart $(if $(LAB),--lab $(LAB)) $(if $(filter-out file,$(origin SUBMISSION)),--submission \
+		$(SUBMISSION)) $(ARGS),@echo "make study measures the solutions; they are not in this kit: ask your course" >&2; exit 2)
+
+chart: build $(BUILD)/chart ## measure the study anew and put its chart and its findings into README.md
+	@grader/study/publish $(BUILD) $(ARGS)
 
 .PHONY: bench-class
 bench-class: build ## labs a minute of a class run, cold and known shaders, and how it grows: ARGS="--labs 05 --counts 50,800"
@@ -181,6 +189,6 @@ $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o 
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: test-hostile kit gradescope sanitize build grade run watch progress trace site demo hint skeletons pictures table test check stability bench compile_commands.json reset clean help
+.PHONY: test-hostile kit gradescope sanitize build grade run watch progress trace site demo hint skeletons pictures table test check stability bench study chart compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -1,6 +1,7 @@
 #include "derive.h"
 
 #include "check.h"
+#include "hash.h"
 #include "home.h"
 
 #include <stdint.h>
@@ -52,23 +53,16 @@ static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
     return true;
 }
 
-// FNV-1a (Fowler, Noll, Vo), 64 bits.
-static void hash_bytes(uint64_t *hash, const void *bytes, size_t size) {
-    for (size_t i = 0; i < size; i++)
-        *hash = (*hash ^ ((const unsigned char *)bytes)[i]) * 0x100000001b3u;
-}
-
 // The worker stands for common/: it is linked anew when a header or a function there changes.
 static uint64_t hash_texts(const Texts *texts, const Rubric *rubric) {
-    uint64_t hash = 0xcbf29ce484222325u;
     char worker[FILES_PATH];
     struct stat info = {0};
     home_build_path(worker, "worker");
     stat(worker, &info);
-    hash_bytes(&hash, &info.st_mtim, sizeof info.st_mtim);
-    hash_bytes(&hash, rubric->id, sizeof rubric->id);
+    uint64_t hash = hash_bytes(HASH_START, &info.st_mtim, sizeof info.st_mtim);
+    hash = hash_bytes(hash, rubric->id, sizeof rubric->id);
     for (int i = 0; i < rubric->file_count; i++)
-        hash_bytes(&hash, texts->of[i], strlen(texts->of[i]) + 1);
+        hash = hash_bytes(hash, texts->of[i], strlen(texts->of[i]) + 1);
     return hash;
 }
 

@@ -85,7 +85,7 @@ const Lab lab = {
     .knobs = {[KNOB_METHOD] = {"method", "0 hard, 1 by hand, 2 linear, 3 diagonals, 4 box, 5 gather",
                                METHOD_HARD, METHOD_GATHER, METHOD_BOX},
               [KNOB_RADIUS] = {"kernel radius", "texels", 0, 8, 2},
-              [KNOB_MAP_SIZE] = {"map size", "texels", 16, 2048, 256}},
+              [KNOB_MAP_SIZE] = {"map size", "texels", 16, 4096, 256}},
     .passes = {{"shadow map", draw_map}, {"picture", draw_picture}},
     .stages = {{"shadow map", &state.map.texture}},
     .create = create,
