@@ -52,7 +52,7 @@ static void make_edge(Scene *scene, Random *random) {
 static void add_pebbles(Scene *scene, Random *random, float side) {
     for (int i = 0; i < 6; i++) {
         int row = i / 2;
-        float r = random_range(random, 0.12f, 0.18f);
+        float r = random_range(random, 0.1f, 0.16f);
         float x = 0.4f + 1.1f * (float)(i % 2), z = 1.3f * (float)row - 1.2f;
         vec3s center = vec3_make(side * (x + random_range(random, -0.15f, 0.15f)),
                                  random_range(random, 0.5f, 1.1f), z + random_range(random, -0.2f, 0.2f));

@@ -139,9 +139,10 @@ static bool sweep_texels(Bench *bench, Curve *curve, int density) {
         double error, resolution, texels, theory;
         ok = texel_error(artist, density, rays, &texels, &theory) &&
              picture_error(artist, density, rays, &error, &resolution);
+        if (!ok)
+            break;
         double noise = sqrt(texels * texels * 4 / 9 + STEP * STEP), both = hypot(resolution, noise);
-        if (ok)
-            curve_add(curve, rays, error, both, resolution + noise - both + uncertainty(density) * noise);
+        curve_add(curve, rays, error, both, resolution + noise - both + uncertainty(density) * noise);
     }
     return ok;
 }
