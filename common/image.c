@@ -59,12 +59,14 @@ bool image_write_png(const Image *image, const char *path) {
     return ok || check_fail("%s: cannot write the picture: %s", path, rgb ? png.message : "out of memory");
 }
 
-uint8_t *image_encode_png(const Image *image, size_t *size) {
+uint8_t *image_encode_png(const Image *image, bool alpha, size_t *size) {
     png_image png = rgb_header(image);
     png.flags = 0;
-    uint8_t *rgb = rgb_of(image), *bytes = NULL;
+    png.format = alpha ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
+    uint8_t *rgb = alpha ? NULL : rgb_of(image), *bytes = NULL;
     png_alloc_size_t room = PNG_IMAGE_PNG_SIZE_MAX(png);
-    bool ok = rgb && (bytes = malloc(room)) && png_image_write_to_memory(&png, bytes, &room, 0, rgb, 0, NULL);
+    bool ok = (alpha || rgb) && (bytes = malloc(room)) &&
+              png_image_write_to_memory(&png, bytes, &room, 0, alpha ? image->rgba : rgb, 0, NULL);
     free(rgb);
     *size = room;
     if (ok)

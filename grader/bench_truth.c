@@ -1,9 +1,10 @@
 // bench_truth: milliseconds of the ray-traced truth, in turn: in packets, the packets' rays one at a time,
-// and pixel by pixel (truth/plain.h), which is how one would trace without a thought. Not a test. "wall" is
-// what passes on the clock, "cpu" the processor time divided by the threads: the same on an idle machine.
+// and pixel by pixel (truth/truth_plain.h), which is how one would trace without a thought. Not a test.
+// "wall" is what passes on the clock, "cpu" the processor time divided by the threads: the same on an idle
+// machine.
 #include "check.h"
 #include "process.h"
-#include "truth/plain.h"
+#include "truth/truth_plain.h"
 #include "truth/truth.h"
 
 #include <stdio.h>
@@ -82,7 +83,7 @@ static bool time_run(const Truth *truth, const TruthPicture *picture, TruthQuery
     bool ok = true;
     query.one_by_one = way == WAY_SINGLY;
     if (way == WAY_PIXELS)
-        plain_trace(truth, picture, &query, visibility);
+        truth_trace_plainly(truth, picture, &query, visibility);
     else
         ok = truth_trace(truth, picture, &query, visibility);
     times->wall[run] = 1000 * (process_now() - start);

@@ -1,14 +1,17 @@
 // Turns a folder with a lab's C file into lab.so.
 #pragma once
 
+#include "jail/jail.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
 enum { COMPILE_LOG = 16 * 1024 };
 
-// Compiles folder/lab.c with fixed arguments, in a process with limits. `log` gets what gcc says (errors or
-// warnings). False with a message when there is no lab.so.
-bool compile_lab(const char *folder, char log[COMPILE_LOG]);
+// Compiles folder/lab.c with fixed arguments and limits, in the jail (NULL: it is our own, outside). `log`
+// gets what gcc says (errors or warnings). False with a message when there is no lab.so.
+bool compile_lab(const char *folder, const Jail *jail, char log[COMPILE_LOG]);
 
-// Replaces "@0xOFFSET@" in `text` by "lab.c:LINE", from the debug information of folder/lab.so.
-void compile_locate(const char *folder, char *text, size_t size);
+// Replaces "@0xOFFSET@" in `text` by "lab.c:LINE", from the debug information of folder/lab.so, which is read
+// in the jail (NULL: outside).
+void compile_locate(const char *folder, const Jail *jail, char *text, size_t size);

@@ -89,6 +89,54 @@ static const char *next_task(const CheckResult *check, int c, Exam *exam) {
     return NULL;
 }
 
+// Does the lab, solved up to the task with number t (0: the skeleton), draw just what the student's draws, in
+// every check?
+static bool is_solved_to(int t, const LabResult *result, Exam *exam) {
+    bool same = true;
+    for (int c = 0; same && c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        const Image *theirs =
+            t > 0 ? exam_partial(exam, t, c, check->worst) : &exam->variants[c][check->worst].skeleton;
+        same = theirs && score_rmse(&check->yours[check->worst], theirs) == 0;
+    }
+    return same;
+}
+
+// Where a student who works in order stands: some task of first to last is not done, and they show only
+// together. No such place: first is 0.
+typedef struct Open {
+    int first, last;
+} Open;
+
+static Open find_open(const LabResult *result, Exam *exam) {
+    Open open = {0};
+    for (int n = 0; rubric_task(exam->rubric, n + 1); n++) {
+        bool same = is_solved_to(n, result, exam);
+        if (same && !open.first)
+            open.first = n + 1;
+        if (same)
+            open.last = n + 1;
+        else if (open.first)
+            break;
+    }
+    return open;
+}
+
+static void name_open(CheckResult *check, Open open, const Rubric *rubric) {
+    char text[256];
+    const char *dot = strchr(check->check->task, '.');
+    const bool later = dot && atoi(dot + 1) > open.last;
+    const char *task = later ? check->check->task : rubric_task(rubric, open.first);
+    if (later || open.first == open.last)
+        snprintf(text, sizeof text, "task %s is not done", task);
+    else
+        snprintf(text, sizeof text, "tasks %s to %s show only together, and one of them is not done", task,
+                 rubric_task(rubric, open.last));
+    name_cause(check, text, rubric_hint(rubric, task, 0));
+    check->undone = true;
+    check->cause_task = task;
+}
+
 static void name_kind(CheckResult *check, int c, Exam *exam) {
     char text[256];
     const char *task = next_task(check, c, exam);
@@ -145,8 +193,11 @@ bool diagnose(LabResult *result, Exam *exam) {
     if (touched && !measure_mistakes(distances, result, exam))
         return false;
     int common = touched ? find_common(result, distances, exam->rubric->mistake_count) : -1;
+    Open open = common < 0 ? find_open(result, exam) : (Open){0};
     for (int c = 0; c < result->check_count; c++)
-        if (wants_cause(&result->checks[c]))
+        if (wants_cause(&result->checks[c]) && open.first)
+            name_open(&result->checks[c], open, exam->rubric);
+        else if (wants_cause(&result->checks[c]))
             explain(&result->checks[c], c, &distances[c], common, exam);
     return true;
 }

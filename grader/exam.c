@@ -163,6 +163,7 @@ static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant
     if (!painter || !roster_draw(exam->roster, painter, &variant->request, &late->image, &reply))
         return NULL;
     late->known = true;
+    late->drawn = reply.drawn;
     if (memcmp(late->image.rgba, variant->reference.rgba, image_bytes(&late->image)) == 0)
         image_destroy(&late->image);
     return shown(late, variant);

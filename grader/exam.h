@@ -17,6 +17,7 @@ typedef struct Variant {
 // One more picture of a variant, kept once it was asked for.
 typedef struct LatePicture {
     bool known;
+    bool drawn;  // false: ours gave a reason why it drew nothing, which counts as black
     Image image; // owned; empty when it is the reference's
 } LatePicture;
 

@@ -2,6 +2,7 @@
 
 #include "check.h"
 #include "home.h"
+#include "recorded.h"
 
 #include <stdlib.h>
 
@@ -19,7 +20,8 @@ Exam *examiner_exam(Examiner *examiner, const GradeOptions *options) {
     examiner->roster.context = options->context;
     Exam *exam = calloc(1, sizeof *exam);
     INVARIANT(exam);
-    if (exam_create(exam, &examiner->rubric, &examiner->roster, options->seed))
+    if (recorded_only() ? recorded_load(exam, &examiner->rubric, options->seed)
+                        : exam_create(exam, &examiner->rubric, &examiner->roster, options->seed))
         return examiner->exam = exam;
     free(exam);
     return NULL;

@@ -7,9 +7,12 @@
 
 typedef struct GradeOptions {
     ContextKind context;
-    double seconds; // that a submission may run, per lab
+    double seconds;  // that a submission may run, per lab
+    double patience; // see client.h
     uint64_t seed;
-    bool evidence; // keep pictures of what failed in the result
+    const Jail *jail; // NULL: their author grades them, outside
+    bool untimed;     // do not compare times with the solution's
+    bool evidence;    // keep pictures of what failed in the result
 } GradeOptions;
 
 typedef struct Examiner {
@@ -21,8 +24,8 @@ typedef struct Examiner {
 // Reads the rubric of the lab "03". False with a message.
 bool examiner_open(Examiner *examiner, const char *id);
 
-// The exam of the options' seed; drawn the first time. Ours until examiner_forget or examiner_close. NULL
-// with a message.
+// The exam of the options' seed; drawn the first time, or read where there are no solutions. Ours until
+// examiner_forget or examiner_close. NULL with a message.
 Exam *examiner_exam(Examiner *examiner, const GradeOptions *options);
 
 // Frees the exam and stops what draws it, but keeps the rubric.

@@ -9,15 +9,31 @@ enum { FILES_PATH = 4096 };
 // The text of a regular file of at most `limit` bytes, freed by the caller; NULL with a message.
 char *files_read(const char *path, size_t limit);
 
-// The same for a file handed in by a stranger: `name` must be a plain file in `folder`, not a link, not a
-// device.
+// The same for a file handed in by a stranger: `name` must be a regular file in `folder` itself, not reached
+// by a link or a mount, and without another name (a hard link). The folder may not be a link either.
 char *files_read_strange(const char *folder, const char *name, size_t limit);
+
+// Is it a folder, and not a link to one? False with a message.
+bool files_is_folder(const char *path);
+
+// Copies such a file, which may hold any bytes, to `path`, which must not exist. False with a message.
+bool files_take(const char *folder, const char *name, const char *path, size_t limit);
 
 // Replaces the file. False with a message.
 bool files_write(const char *path, const char *text);
+
+// Writes a file that is there whole or not at all, whatever happens meanwhile. A file that is there is
+// replaced, or left as it is when not `replace`. False with a message.
+bool files_write_whole(const char *path, const char *text, bool replace);
+
+// How the names of files begin that files_write_whole has not finished.
+#define FILES_NEW ".new-"
+
+// Removes those of them that a killed process left in the folder.
+void files_forget_new(const char *folder);
 bool files_exists(const char *path);
 
-// A new private folder under the system's temporary folder.
+// A new private folder under the system's temporary folder; its path is absolute and without links.
 bool files_make_temporary(char path[FILES_PATH]);
 
 // Makes a folder and its parents.

@@ -1,7 +1,10 @@
 // The grader: see options.h for its command line and README.md for what it does.
 #include "check.h"
 #include "class/class.h"
+#include "open_jail.h"
 #include "options.h"
+#include "progress.h"
+#include "recorded.h"
 #include "report/evidence.h"
 
 #include <signal.h>
@@ -31,20 +34,44 @@ static bool all_passed(const Report *report) {
     return passed;
 }
 
-static int grade_submission(const Options *options) {
+// What does not compile is no step back: only labs that were drawn are noted.
+static void record(const Report *report) {
+    static Progress progress;
+    for (int i = 0; i < report->lab_count; i++) {
+        const LabResult *lab = &report->labs[i];
+        check_clear();
+        if (lab->status <= LAB_FAILED &&
+            !progress_record(&progress, lab->id, lab->score, lab->max_score, result_done(lab)))
+            fprintf(stderr, "grade: %s\n", check_message());
+    }
+    if (progress.note[0])
+        fprintf(stderr, "grade: %s\n", progress.note);
+}
+
+static int grade_submission(Options *options) {
     static Session session;
+    static Jail jail;
     Report report = {0};
+    bool ok = open_jail(options, &jail);
     session.options = options->grade;
     session.options.evidence = options->output || options->format == REPORT_HTML;
     int status = EXIT_COULD_NOT;
-    if (add_labs(&session, options) && session_grade(&session, options->submission, &report) &&
+    if (ok && add_labs(&session, options) && session_grade(&session, options->submission, &report) &&
         write_evidence(&report, options->output) && report_print(&report, options->format, stdout))
         status = all_passed(&report) ? EXIT_ALL_PASSED : EXIT_NOT_ALL;
     else
         fprintf(stderr, "grade: could not grade: %s\n", check_message());
+    if (options->record && status != EXIT_COULD_NOT)
+        record(&report);
     session_free(&report);
     session_close(&session);
+    jail_destroy(&jail);
     return status;
+}
+
+static bool draw_seed(uint64_t *seed) {
+    INVARIANT(getrandom(seed, sizeof *seed, 0) == sizeof *seed);
+    return !recorded_only() || recorded_choose(*seed, seed);
 }
 
 int main(int count, char **arguments) {
@@ -54,8 +81,10 @@ int main(int count, char **arguments) {
         return EXIT_USAGE;
     }
     signal(SIGPIPE, SIG_IGN);
-    if (!options.seeded)
-        INVARIANT(getrandom(&options.grade.seed, sizeof options.grade.seed, 0) == sizeof options.grade.seed);
+    if (!options.seeded && !draw_seed(&options.grade.seed)) {
+        fprintf(stderr, "grade: %s\n", check_message());
+        return EXIT_COULD_NOT;
+    }
     int status = options.class_folder ? class_run(&options) : grade_submission(&options);
     free(options.only);
     return status;

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "derive.h"
 #include "diagnose.h"
+#include "recorded.h"
 #include "report/evidence.h"
 #include "score.h"
 
@@ -68,13 +69,6 @@ typedef struct Ratios {
     int count;
 } Ratios;
 
-static bool has_bad_pixels(const Image *image) {
-    for (size_t at = 3; at < image_bytes(image); at += 4)
-        if (image->rgba[at] == 0)
-            return true;
-    return false;
-}
-
 // Draws one frame of the student's; false when no more frames will come.
 static bool draw_one(LabResult *result, Client *student, const Variant *variant, Image *yours,
                      float *milliseconds) {
@@ -83,11 +77,8 @@ static bool draw_one(LabResult *result, Client *student, const Variant *variant,
     if (drawn == DRAW_OK) {
         if (reply.message[0])
             add_warning(result, reply.message);
-        if (has_bad_pixels(yours))
-            add_warning(
-                result,
-                "some pixels are not finite numbers (NaN or infinity): is there a division by zero, a "
-                "pow of a negative number or a normalize of a zero vector in a shader?");
+        if (score_not_finite(yours))
+            add_warning(result, score_not_finite(yours));
         *milliseconds = exam_milliseconds(&reply);
         return true;
     }
@@ -120,6 +111,17 @@ static double points_left(const LabResult *result, const Exam *exam) {
     return points;
 }
 
+void grade_pictures(LabResult *result, const Exam *exam) {
+    for (int c = 0; c < result->check_count; c++) {
+        score_check(&result->checks[c], exam->variants[c]);
+        result->score += result_points(&result->checks[c]);
+    }
+    bool passed =
+        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
+    if (!result->message[0])
+        result->status = passed ? LAB_PASSED : LAB_FAILED;
+}
+
 void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster) {
     Ratios ratios = {0};
     bool alive = true;
@@ -130,15 +132,10 @@ void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *
             alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &milliseconds);
         if (roster)
             add_ratio(&ratios, milliseconds, &exam->variants[c][check->check->variants - 1], roster);
-        score_check(check, exam->variants[c]);
-        result->score += result_points(check);
     }
     qsort(ratios.values, (size_t)ratios.count, sizeof ratios.values[0], by_value);
     result->speed_ratio = ratios.count > 0 ? ratios.values[ratios.count / 2] : 0;
-    bool passed =
-        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
-    if (!result->message[0])
-        result->status = passed ? LAB_PASSED : LAB_FAILED;
+    grade_pictures(result, exam);
 }
 
 typedef struct Ignored {
@@ -152,11 +149,7 @@ static void note_ignored(const char *name, void *context) {
     for (int i = 0; i < ignored->rubric->file_count; i++)
         if (strcmp(ignored->rubric->files[i], name) == 0)
             return;
-    char ours[FILES_PATH];
-    files_join(ours, ignored->rubric->folder, name);
-    if (strlen(name) < 200 && files_exists(ours))
-        return; // part of the handout
-    if (++ignored->count > 8)
+    if (recorded_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
         return;
     char text[400];
     snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
@@ -168,8 +161,8 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
     Ignored ignored = {rubric, result, 0};
-    bool ok = files_list(submission, note_ignored, &ignored) &&
-              derive_submission(student->folder, rubric, submission, log);
+    bool ok = files_is_folder(submission) && files_list(submission, note_ignored, &ignored) &&
+              derive_submission(student->folder, rubric, submission, student->jail, log);
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
         fail_lab(result, LAB_ERROR, text);
@@ -180,19 +173,39 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     return ok;
 }
 
+// What the lab prints, for who debugs in this way; the first lines are enough.
+static void note_output(LabResult *result, const char *printed) {
+    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
+    char text[MAX_TEXT + 64] = "it printed:";
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+        end += strcspn(end, "\n");
+        end += *end == '\n';
+    }
+    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
+    if (printed[0])
+        add_warning(result, text);
+}
+
 static bool examine(LabResult *result, Examiner *examiner, Client *student, const GradeOptions *options) {
     client_start(student);
     Exam *exam = examiner_exam(examiner, options);
     if (!exam)
         return false;
     client_begin(student);
-    grade_frames(result, exam, student, exam->roster);
+    grade_frames(result, exam, student, options->untimed ? NULL : exam->roster);
+    note_output(result, student->process.text);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 
 bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options) {
     static Client student;
-    student = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = options->seconds};
+    student = (Client){.trust = TRUST_NOBODY,
+                       .jail = options->jail,
+                       .context = options->context,
+                       .seconds = options->seconds,
+                       .patience = options->patience};
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;

@@ -18,6 +18,9 @@ void grade_refuse(LabResult *result, const char *reason);
 // their times.
 void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster);
 
+// Scores the frames that the result already holds, as grade_frames does once they are drawn.
+void grade_pictures(LabResult *result, const Exam *exam);
+
 // The whole way of one lab: takes the files from the folder `submission`, compiles, draws, scores, names the
 // mistakes, keeps pictures of what failed when the options ask for them. Everything that a submission can do
 // wrong ends in the result; false with a message is a fault of ours (could not grade).

@@ -19,7 +19,10 @@ const char options_usage[] =
     "  --context C       osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
     "  --format F        text (default), json, html, gradescope or check50\n"
     "  --output DIR      pictures of what failed: yours, reference, difference\n"
+    "  --record          note the points in the progress (see progress.h)\n"
     "  --timeout S       seconds that a submission may run per lab (default 20)\n"
+    "  --jail ROUTE      bwrap or landlock: only this jail (default: the first that holds)\n"
+    "  --trusted         no jail: the submission is my own work\n"
     "of a whole class, one submission a folder or archive (.zip, .tar.gz) in DIR:\n"
     "  --output OUT      a folder for grades.csv, index.html, pages/ and results/\n"
     "  -j N              submissions at a time (default: one a processor)\n"
@@ -94,8 +97,15 @@ static bool parse_option(Options *options, int option, const char *value) {
     case 'o':
         options->output = value;
         return true;
+    case 'R':
+        options->record = true;
+        return true;
     case 't':
         return parse_timeout(options, value);
+    case 'J':
+        return jail_parse_route(&options->route, value);
+    case 'T':
+        return options->trusted = true;
     case 'C':
         options->class_folder = value;
         return true;
@@ -120,7 +130,11 @@ static bool is_folder(const char *path) {
 }
 
 static bool check_operands(Options *options, int count, char **arguments) {
+    if (options->trusted && options->route != JAIL_NONE)
+        return check_fail("--trusted and --jail exclude each other");
     if (options->class_folder) {
+        if (options->trusted)
+            return check_fail("a class is graded in the jail only: --trusted does not go with --class");
         if (count > 0)
             return check_fail("with --class there is no SUBMISSION: \"%s\"", arguments[0]);
         return (options->output || options->list || check_fail("--class needs --output OUT")) &&
@@ -135,19 +149,15 @@ static bool check_operands(Options *options, int count, char **arguments) {
 }
 
 bool options_parse(Options *options, int count, char **arguments) {
-    static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
-                                          {"seed", required_argument, NULL, 's'},
-                                          {"context", required_argument, NULL, 'c'},
-                                          {"format", required_argument, NULL, 'f'},
-                                          {"output", required_argument, NULL, 'o'},
-                                          {"timeout", required_argument, NULL, 't'},
-                                          {"class", required_argument, NULL, 'C'},
-                                          {"only", required_argument, NULL, 'O'},
-                                          {"resume", no_argument, NULL, 'r'},
-                                          {"gather", no_argument, NULL, 'g'},
-                                          {"list", no_argument, NULL, 'L'},
-                                          {"help", no_argument, NULL, 'h'},
-                                          {0}};
+    static const struct option table[] = {
+        {"lab", required_argument, NULL, 'l'},     {"seed", required_argument, NULL, 's'},
+        {"context", required_argument, NULL, 'c'}, {"format", required_argument, NULL, 'f'},
+        {"output", required_argument, NULL, 'o'},  {"timeout", required_argument, NULL, 't'},
+        {"jail", required_argument, NULL, 'J'},    {"trusted", no_argument, NULL, 'T'},
+        {"record", no_argument, NULL, 'R'},        {"class", required_argument, NULL, 'C'},
+        {"only", required_argument, NULL, 'O'},    {"resume", no_argument, NULL, 'r'},
+        {"gather", no_argument, NULL, 'g'},        {"list", no_argument, NULL, 'L'},
+        {"help", no_argument, NULL, 'h'},          {0}};
     const char *context = getenv("SHADOW_LAB_CONTEXT");
     *options = (Options){.grade = {.seconds = 20}};
     if (context && !context_parse(&options->grade.context, context))

@@ -11,10 +11,13 @@ enum { EXIT_ALL_PASSED, EXIT_NOT_ALL, EXIT_USAGE, EXIT_COULD_NOT };
 typedef struct Options {
     GradeOptions grade;
     ReportFormat format;
-    bool seeded; // --seed was given
+    bool seeded;     // --seed was given
+    bool trusted;    // no jail
+    JailRoute route; // the only one to take; JAIL_NONE: any
     const char *labs[RESULT_MAX_LABS];
     int lab_count;          // 0: all
     const char *output;     // a folder, NULL for none
+    bool record;            // note the points in the student's progress
     const char *submission; // of one student; NULL with --class
     // Of --class:
     const char *class_folder; // NULL without

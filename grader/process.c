@@ -4,6 +4,8 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <grp.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -33,22 +35,34 @@ static void set_limits(const ProcessLimits *limits) {
         setrlimit(RLIMIT_CPU, &(struct rlimit){limits->cpu_seconds, limits->cpu_seconds + 1});
     set_limit(RLIMIT_AS, limits->memory_mib * mib);
     set_limit(RLIMIT_FSIZE, limits->file_mib * mib);
-    set_limit(RLIMIT_NPROC, limits->processes);
     setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
 }
 
+// A session of its own, so that nobody in it leads a group that we do not know; death with us; another user.
+static void leave_us(const ProcessLimits *limits, pid_t parent) {
+    bool ok = setsid() > 0;
+    if (limits->user)
+        ok = ok && setgroups(0, NULL) == 0 && setgid(limits->user) == 0 && setuid(limits->user) == 0;
+    if (ok && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == parent)
+        return;
+    dprintf(STDERR_FILENO, "a process cannot leave the grader's session or user: %s\n", strerror(errno));
+    _exit(127);
+}
+
 static _Noreturn void run_child(const int *ends, char *const *arguments, char *const *environment,
-                                const char *folder, const ProcessLimits *limits) {
+                                const char *folder, const ProcessLimits *limits, pid_t parent) {
     // Above the descriptors that we are about to lay, so that none is overwritten before its turn.
     int input = fcntl(ends[0], F_DUPFD, 10), output = fcntl(ends[1], F_DUPFD, 10);
     int replies = fcntl(ends[2], F_DUPFD, 10);
-    setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
     dup2(input, STDIN_FILENO);
     dup2(output, STDOUT_FILENO);
     dup2(output, STDERR_FILENO);
     dup2(replies, REPLY_DESCRIPTOR);
     close_range(REPLY_DESCRIPTOR + 1, ~0u, 0);
+    if (limits->stranger)
+        leave_us(limits, parent);
+    else if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0)
+        _exit(127);
     if (chdir(folder) != 0)
         _exit(127);
     set_limits(limits);
@@ -76,9 +90,11 @@ bool process_start(Process *process, char *const *arguments, char *const *enviro
     if (!make_pipes(pipes))
         return false;
     const int theirs[3] = {pipes[INPUT][0], pipes[OUTPUT][1], pipes[REPLIES][1]};
+    prctl(PR_SET_CHILD_SUBREAPER, 1); // what its death leaves behind becomes our child: see collect
+    pid_t parent = getpid();
     process->pid = fork();
     if (process->pid == 0)
-        run_child(theirs, arguments, environment, folder, limits);
+        run_child(theirs, arguments, environment, folder, limits, parent);
     for (int i = 0; i < 3; i++)
         close(theirs[i]);
     process->input = pipes[INPUT][1];
@@ -87,7 +103,8 @@ bool process_start(Process *process, char *const *arguments, char *const *enviro
     process->deadline = process_now() + limits->wall_seconds;
     fcntl(process->input, F_SETFL, O_NONBLOCK);
     if (process->pid > 0) {
-        setpgid(process->pid, process->pid);
+        if (!limits->stranger)
+            setpgid(process->pid, process->pid);
         return true;
     }
     process->pid = 0;
@@ -118,27 +135,45 @@ static void close_end(int *descriptor) {
 
 // Waits until something can be done. False when the time is over.
 static bool wait_for_event(Process *process, struct pollfd *events) {
-    double left = process->deadline - process_now();
-    if (left <= 0 || poll(events, 3, (int)(left * 1000) + 1) == 0)
-        process->state = PROCESS_TIMED_OUT;
+    int ready = 0;
+    while (ready == 0 && process->state == PROCESS_RUNNING) {
+        double left = process->deadline - process_now();
+        if (left <= 0 || process->cancelled)
+            process->state = PROCESS_TIMED_OUT;
+        else
+            ready = poll(events, 3, (int)(fmin(left, PROCESS_SLICE) * 1000) + 1);
+    }
     return process->state == PROCESS_RUNNING;
 }
 
-// Waits for the process itself; what else is in its group is killed.
-static void collect(Process *process) {
+static bool reap_one(Process *process, pid_t who, int *status) {
     struct rusage usage = {0};
-    while (wait4(process->pid, &process->status, 0, &usage) < 0 && errno == EINTR)
+    pid_t pid;
+    while ((pid = wait4(who, status, 0, &usage)) < 0 && errno == EINTR)
         ;
-    process->peak_mib = usage.ru_maxrss / 1024;
-    kill(-process->pid, SIGKILL);
+    if (usage.ru_maxrss / 1024 > process->peak_mib)
+        process->peak_mib = usage.ru_maxrss / 1024;
+    return pid > 0;
+}
+
+// Waits for the process itself, then kills and collects its whole group: orphans come to us, the subreaper.
+static void collect(Process *process) {
+    int ignored;
+    pid_t group = process->pid;
     process->pid = 0;
+    reap_one(process, group, &process->status);
+    if (process->wrapped && WIFEXITED(process->status) && WEXITSTATUS(process->status) > 128)
+        process->status = WEXITSTATUS(process->status) - 128;
+    kill(-group, SIGKILL);
+    while (reap_one(process, -group, &ignored))
+        ;
 }
 
 static void kill_all(Process *process) {
     if (process->pid <= 0)
         return;
-    kill(-process->pid, SIGKILL);
     kill(process->pid, SIGKILL);
+    kill(-process->pid, SIGKILL);
     collect(process);
 }
 

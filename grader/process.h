@@ -2,15 +2,20 @@
 // long.
 #pragma once
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <sys/types.h>
 
+#define PROCESS_SLICE 0.1
+
 enum { PROCESS_OUTPUT = 64 * 1024, PROCESS_FLOOD = 4 * 1024 * 1024 };
 
 typedef struct ProcessLimits {
-    double wall_seconds;                                   // for the whole life of the process
-    unsigned cpu_seconds, memory_mib, file_mib, processes; // 0: no limit
+    double wall_seconds;                        // for the whole life of the process
+    unsigned cpu_seconds, memory_mib, file_mib; // 0: no limit
+    bool stranger; // no terminal, and dies with us; none of its descendants may found a session or a group
+    unsigned user; // uid and gid of a stranger; 0: ours
 } ProcessLimits;
 
 typedef enum ProcessState {
@@ -24,9 +29,11 @@ typedef struct Process {
     pid_t pid;
     int input, replies, output; // our ends: its descriptor 0, its 3, and its 1 and 2 together; -1 when closed
     double deadline;            // seconds of the monotonic clock
+    atomic_bool cancelled;      // set by another thread: the time is over within PROCESS_SLICE seconds
     ProcessState state;
+    bool wrapped;              // it is another program that tells a death by signal N as exit status 128 + N
     int status;                // as waitpid gives it, once the process was reaped
-    long peak_mib;             // resident memory at its peak, once reaped
+    long peak_mib;             // resident memory of the largest in the group at its peak, once reaped
     size_t printed;            // bytes it printed in all
     char text[PROCESS_OUTPUT]; // the first of them, a string
 } Process;
@@ -44,7 +51,8 @@ bool process_exchange(Process *process, const void *request, size_t request_size
 // Waits for the process to end by itself (collecting what it prints) or to break a limit.
 void process_wait(Process *process);
 
-// Kills what is left of the process and its group and frees everything. Accepts a zeroed process.
+// Kills what is left of the process and its group, waits for the end of them all and frees everything.
+// Accepts a zeroed process.
 void process_stop(Process *process);
 
 // Seconds of the monotonic clock.

@@ -23,6 +23,7 @@ typedef struct Row {
     Kind kind;
     Solved solved;
     const Change *change;
+    int number;               // of the task or of the mistake in the rubric
     const struct Row *before; // of a partial solution: the one with a task less
     double percent;           // of the last run
     double lowest, highest;   // percent
@@ -91,25 +92,81 @@ static bool judge(const LabResult *result, Row *row, const Rubric *rubric) {
     }
 }
 
-// Grades one of ours as if it were a submission: by a worker of its own.
+static const Image *ours(const Row *row, Exam *exam, int c, int n) {
+    const Variant *variant = &exam->variants[c][n];
+    if (row->kind == KIND_SKELETON)
+        return &variant->skeleton;
+    bool mistake = row->kind == KIND_MISTAKE;
+    const Image *image =
+        mistake ? exam_mistake(exam, row->number, c, n) : exam_partial(exam, row->number, c, n);
+    const LatePicture *late =
+        mistake ? &exam->mistakes[row->number][c][n] : &exam->partials[row->number][c][n];
+    return image && late->drawn ? image : NULL;
+}
+
+// Skeletons, partial solutions and mistakes are drawn for the diagnosis, too. Those frames are taken as the
+// row's. False when one of them was not drawn: then the row's own worker has to say why.
+static bool share_frames(LabResult *result, const Row *row, Exam *exam) {
+    if (row->kind != KIND_SKELETON && row->kind != KIND_PARTIAL && row->kind != KIND_MISTAKE)
+        return false;
+    for (int c = 0; c < result->check_count; c++)
+        for (int n = 0; n < result->checks[c].check->variants; n++) {
+            const Image *image = ours(row, exam, c, n);
+            if (!image || !image_copy(&result->checks[c].yours[n], image))
+                return false;
+        }
+    return true;
+}
+
+// A worker that draws for one lab only and the one that draws for all of ours must show the same.
+static bool draws_the_same(const LabResult *result, Row *row, Exam *exam) {
+    static LabResult shared;
+    grade_begin(&shared, exam->rubric);
+    bool same = true;
+    if (share_frames(&shared, row, exam))
+        for (int c = 0; same && c < shared.check_count; c++)
+            for (int n = 0; same && n < shared.checks[c].check->variants; n++) {
+                const Image *own = &result->checks[c].yours[n], *other = &shared.checks[c].yours[n];
+                same = own->rgba && memcmp(own->rgba, other->rgba, image_bytes(own)) == 0;
+            }
+    result_destroy_lab(&shared);
+    if (!same)
+        note(row, "another picture in a worker of its own");
+    return same;
+}
+
+static void draw_row(LabResult *result, Row *row, const Painter *painter, Exam *exam) {
+    row->contender.trust = TRUST_OURS;
+    row->contender.context = exam->roster->context;
+    memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
+    grade_begin(result, exam->rubric);
+    grade_frames(result, exam, &row->contender, NULL);
+}
+
+// Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from
+// the second seed on.
 static bool run_row(Row *row, Exam *exam, Roster *roster) {
     static LabResult result;
     const Painter *painter = roster_get(roster, row->solved, row->change);
     if (!painter)
         return false;
-    row->contender.trust = TRUST_OURS;
-    row->contender.context = roster->context;
-    memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
+    bool first = row->seeds == 0, same = true;
     grade_begin(&result, exam->rubric);
-    grade_frames(&result, exam, &row->contender, NULL);
+    if (!first && share_frames(&result, row, exam)) {
+        grade_pictures(&result, exam);
+    } else {
+        result_destroy_lab(&result);
+        draw_row(&result, row, painter, exam);
+        same = draws_the_same(&result, row, exam);
+    }
     bool ok = diagnose(&result, exam);
     double percent = row->percent = 100 * result.score / result.max_score;
-    if (row->seeds == 0 || percent < row->lowest)
+    if (first || percent < row->lowest)
         row->lowest = percent;
-    if (row->seeds == 0 || percent > row->highest)
+    if (first || percent > row->highest)
         row->highest = percent;
     row->seeds++;
-    row->right += ok && judge(&result, row, exam->rubric);
+    row->right += ok && same && judge(&result, row, exam->rubric);
     result_destroy_lab(&result);
     return ok;
 }
@@ -119,8 +176,10 @@ static int list_partials(Row *rows, int count, const Rubric *rubric) {
     for (int n = 1; n < 20; n++) {
         const char *task = rubric_task(rubric, n);
         if (task)
-            rows[count] =
-                (Row){.kind = KIND_PARTIAL, .solved = {SOLVED_UP_TO, task}, .before = &rows[count - 1]};
+            rows[count] = (Row){.kind = KIND_PARTIAL,
+                                .solved = {SOLVED_UP_TO, task},
+                                .number = n,
+                                .before = &rows[count - 1]};
         count += task != NULL;
     }
     return count;
@@ -132,7 +191,7 @@ static int list_rows(Row *rows, const Rubric *rubric) {
     rows[count++] = (Row){.kind = KIND_SKELETON, .solved = {SOLVED_NONE, NULL}};
     count = list_partials(rows, count, rubric);
     for (int i = 0; i < rubric->mistake_count; i++)
-        rows[count++] = (Row){.kind = KIND_MISTAKE, .change = &rubric->mistakes[i]};
+        rows[count++] = (Row){.kind = KIND_MISTAKE, .change = &rubric->mistakes[i], .number = i};
     for (int i = 0; i < rubric->alternative_count; i++)
         rows[count++] = (Row){.kind = KIND_ALTERNATIVE, .change = &rubric->alternatives[i]};
     return count;

@@ -42,6 +42,7 @@ typedef struct LabResult {
 typedef struct Report {
     uint64_t seed;
     const char *context;
+    const char *jail; // the route: "bwrap", "landlock" or "none"
     char renderer[128];
     double seconds;
     int lab_count;

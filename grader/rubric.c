@@ -125,7 +125,9 @@ static bool read_change(Rubric *rubric, const char *file, int index, json_t *ent
         if (!e->file || !e->find || !e->replace)
             return missing(rubric, file, index, "edits\" with \"file\", \"find\" and \"replace");
     }
-    return (change->name && change->edit_count > 0) || missing(rubric, file, index, "name\" and \"edits");
+    if (!change->name || (change->edit_count == 0 && json_object_get(entry, "edits")))
+        return missing(rubric, file, index, "name\" and \"edits");
+    return true;
 }
 
 static bool read_changes(Rubric *rubric, int slot, const char *file, Change **changes, int *count) {

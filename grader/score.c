@@ -16,38 +16,47 @@ static const double WHOLLY = 0.05;
 // A window says something about the picture outside the mask when at least this many of its pixels lie there.
 enum { WINDOW_PIXELS = SCORE_WINDOW * SCORE_WINDOW / 4 };
 
-static int channel_difference(const uint8_t *a, const uint8_t *b) {
+// In 255ths: 0 within the tolerance, 255 where just one of them is not finite. Most pixels are equal.
+static inline int difference_at(const Image *a, const Image *b, size_t at) {
+    if (memcmp(a->rgba + at, b->rgba + at, 4) == 0)
+        return 0;
+    if (a->rgba[at + 3] != b->rgba[at + 3])
+        return 255;
     int largest = 0;
-    for (int c = 0; c < 3; c++) {
-        int difference = abs(a[c] - b[c]);
+    for (size_t c = 0; c < 3; c++) {
+        int difference = abs(a->rgba[at + c] - b->rgba[at + c]);
         largest = difference > largest ? difference : largest;
     }
-    return largest;
+    return largest <= SCORE_TOLERANCE ? 0 : largest;
 }
 
 double score_pixel(const Image *a, const Image *b, size_t at) {
-    if (a->rgba[at + 3] != b->rgba[at + 3])
-        return 1;
-    int difference = channel_difference(a->rgba + at, b->rgba + at);
-    return difference <= SCORE_TOLERANCE ? 0 : difference / 255.0;
+    return difference_at(a, b, at) / 255.0;
 }
 
 static bool same_size(const Image *a, const Image *b) {
     return a->width == b->width && a->height == b->height && a->rgba && b->rgba;
 }
 
+static bool same_bytes(const Image *a, const Image *b) {
+    return memcmp(a->rgba, b->rgba, image_bytes(a)) == 0;
+}
+
 // Share of the mask's pixels that are wrong. One off by as much as the null picture, or by WHOLLY, is wholly
 // wrong.
 static double error_inside(const Image *yours, const Image *reference, const Image *null_image) {
-    double error = 0, pixels = 0;
+    double error = 0;
+    size_t pixels = 0;
     for (size_t at = 0, end = image_bytes(reference); at < end; at += 4) {
-        double null_error = score_pixel(null_image, reference, at);
-        if (null_error == 0)
+        int null_difference = difference_at(null_image, reference, at);
+        if (null_difference == 0)
             continue;
-        error += fmin(score_pixel(yours, reference, at) / fmin(null_error, WHOLLY), 1);
         pixels++;
+        int difference = difference_at(yours, reference, at);
+        if (difference > 0)
+            error += fmin(difference / 255.0 / fmin(null_difference / 255.0, WHOLLY), 1);
     }
-    return pixels > 0 ? error / pixels : 0;
+    return pixels > 0 ? error / (double)pixels : 0;
 }
 
 typedef struct Pictures {
@@ -60,10 +69,9 @@ static double window_error(const Pictures *p, int left, int top) {
     for (int y = top; y < top + SCORE_WINDOW && y < p->reference->height; y++)
         for (int x = left; x < left + SCORE_WINDOW && x < p->reference->width; x++) {
             size_t at = image_at(p->reference, x, y);
-            if (score_pixel(p->without, p->reference, at) > 0 ||
-                score_pixel(p->skeleton, p->reference, at) > 0)
+            if (difference_at(p->without, p->reference, at) || difference_at(p->skeleton, p->reference, at))
                 continue;
-            error += score_pixel(p->yours, p->reference, at);
+            error += difference_at(p->yours, p->reference, at) / 255.0;
             count++;
         }
     return count >= WINDOW_PIXELS ? error / count : 0;
@@ -80,6 +88,8 @@ static double error_outside(const Pictures *p) {
 FrameScore score_frame(const Image *yours, const Image *reference, const Image *without,
                        const Image *skeleton) {
     INVARIANT(same_size(yours, reference) && same_size(reference, without) && same_size(reference, skeleton));
+    if (same_bytes(yours, reference))
+        return (FrameScore){.share = 1};
     const Pictures pictures = {yours, reference, without, skeleton};
     FrameScore score = {
         .inside = fmax(error_inside(yours, reference, without), error_inside(yours, reference, skeleton)),
@@ -108,8 +118,16 @@ double score_rmse(const Image *a, const Image *b) {
 size_t score_count(const Image *a, const Image *b) {
     size_t count = 0;
     for (size_t at = 0, end = image_bytes(a); at < end; at += 4)
-        count += score_pixel(a, b, at) > 0;
+        count += difference_at(a, b, at) > 0;
     return count;
+}
+
+const char *score_not_finite(const Image *image) {
+    for (size_t at = 3; at < image_bytes(image); at += 4)
+        if (image->rgba[at] == 0)
+            return "some pixels are not finite numbers (NaN or infinity): is there a division by zero, a "
+                   "pow of a negative number or a normalize of a zero vector in a shader?";
+    return NULL;
 }
 
 void score_fill(Image *image, const uint8_t rgb[3]) {

@@ -36,7 +36,9 @@ bool session_add(Session *session, const char *id) {
 }
 
 static bool begin_report(Session *session, Report *report) {
+    const Jail *jail = session->options.jail;
     *report = (Report){.seed = session->options.seed,
+                       .jail = jail_route_name(jail ? jail->route : JAIL_NONE),
                        .context = context_name(session->options.context),
                        .labs = calloc(RESULT_MAX_LABS, sizeof *report->labs)};
     return report->labs || check_fail("out of memory");
@@ -47,7 +49,8 @@ static void name_missing(const Submission *submission, const Rubric *rubric, cha
         snprintf(text, size, "there is a lab.c, but no folder's name tells of which lab: put it into %s/",
                  strrchr(rubric->folder, '/') + 1);
     else
-        snprintf(text, size, "not handed in: there is no folder %s", strrchr(rubric->folder, '/') + 1);
+        snprintf(text, size, "not handed in: there is no folder %s (a link is none)",
+                 strrchr(rubric->folder, '/') + 1);
 }
 
 static bool grade_one(Session *session, const Submission *submission, int i, Report *report) {

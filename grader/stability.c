@@ -78,8 +78,9 @@ static void print_line(const RowResult *result) {
     if (result->message[0])
         printf("%s\n", result->message);
     else if (result->curve)
-        printf("%s: %.4g, expected %.4g, %.0f %% of the tolerance\n", result->curve->name,
-               result->worst.measured, result->worst.expected, 100 * result->worst.share);
+        printf("%s: %.4g, expected %s%.4g, %.0f %% of the tolerance\n", result->curve->name,
+               result->worst.measured, curve_bound(result->curve), result->worst.expected,
+               100 * result->worst.share);
     else
         printf("%s\n", result->row->run ? "nothing was measured" : "no lab has this method yet");
     fflush(stdout);
@@ -129,7 +130,9 @@ static int run(Options *options) {
               plot_all(results, count, folder) && write_page(results, count, folder);
     for (int i = 0; i < count; i++)
         findings_destroy(&results[i].findings);
-    if (!ok)
+    if (ok)
+        printf("%d of %d rows fail; see %s/stability.html\n", failed, count, folder);
+    else
         fprintf(stderr, "stability: %s\n", check_message());
     return !ok || failed > 0;
 }

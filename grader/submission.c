@@ -44,20 +44,17 @@ static bool unwrap(char folder[FILES_PATH]) {
 }
 
 static void name_single(Submission *submission) {
-    char path[FILES_PATH];
-    if (!realpath(submission->folder, path))
-        return;
-    const char *name = strrchr(path, '/') + 1;
+    const char *name = strrchr(submission->folder, '/') + 1;
     if (home_is_lab_name(name))
         snprintf(submission->single_id, sizeof submission->single_id, "%.2s", name);
 }
 
 bool submission_open(Submission *submission, const char *folder) {
-    struct stat info;
     char path[FILES_PATH];
     *submission = (Submission){0};
-    if (stat(folder, &info) != 0 || !S_ISDIR(info.st_mode) ||
-        snprintf(submission->folder, FILES_PATH, "%s", folder) >= FILES_PATH - 300)
+    // The path may hold links: it is the caller's. What lies in the folder is the stranger's.
+    if (!realpath(folder, submission->folder) || !is_folder(submission->folder) ||
+        strlen(submission->folder) >= FILES_PATH - 300)
         return check_fail("%s is not a folder", folder);
     for (int i = 0; i < MAX_WRAPPERS && unwrap(submission->folder); i++)
         continue;
@@ -71,7 +68,7 @@ bool submission_open(Submission *submission, const char *folder) {
 
 bool submission_find(const Submission *submission, const char *id, char folder[FILES_PATH]) {
     if (!submission->single)
-        return home_find_lab_in(folder, submission->folder, id);
+        return home_find_lab_in(folder, submission->folder, id) && is_folder(folder);
     memcpy(folder, submission->folder, FILES_PATH);
     return strcmp(submission->single_id, id) == 0;
 }

@@ -15,5 +15,6 @@ typedef struct Submission {
 // wrapped so). False with a message when it is no folder.
 bool submission_open(Submission *submission, const char *folder);
 
-// Where the lab "03" lies. False when the submission has none.
+// Where the lab "03" lies. False when the submission has none; a link to a folder is none, for it may lead
+// out of the submission.
 bool submission_find(const Submission *submission, const char *id, char folder[FILES_PATH]);

@@ -1,5 +1,211 @@
 #include "class.h"
-int class_run(const Options *options) {
-    (void)options;
-    return 3;
+
+#include "check.h"
+#include "gather.h"
+#include "jail/self_test.h"
+#include "open_jail.h"
+#include "plan.h"
+#include "pool.h"
+#include "ticker.h"
+#include "record.h"
+#include "roll.h"
+#include "unpack.h"
+#include "workplace.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+enum { TRIES = 2 };
+
+typedef struct Class {
+    Options *options;
+    Jail jail;
+    Roll roll;
+    Plan plan;
+    Session session; // of a process of the pool, once it has graded something
+    bool ready;
+    Ticker ticker;
+    int not_graded; // of this run
+} Class;
+
+// Grades the folder of one submission, or what its archive holds.
+static bool grade_folder(Class *class, const Entry *entry, Report *report) {
+    char path[FILES_PATH], inside[FILES_PATH];
+    files_join(path, class->roll.folder, entry->name);
+    if (!entry->archive)
+        return session_grade(&class->session, path, report);
+    if (!files_make_temporary(inside))
+        return false;
+    Unpacked unpacked = unpack(&class->jail, path, inside);
+    bool ok = unpacked == UNPACK_OK
+                  ? session_grade(&class->session, inside, report)
+                  : unpacked == UNPACK_REFUSED && session_refuse(&class->session, check_message(), report);
+    files_remove(inside);
+    return ok;
+}
+
+// A submission that could not be drawn is to blame only if the jail still holds whoever is in it.
+static bool is_to_blame(const Class *class, const Report *report) {
+    bool broken = false;
+    for (int i = 0; i < report->lab_count; i++)
+        broken = broken || report->labs[i].message[0];
+    check_clear();
+    return !broken || self_test(&class->jail);
+}
+
+static bool grade_entry(Class *class, const Entry *entry, Report *report) {
+    if (!class->ready)
+        class->ready = plan_session(&class->plan, &class->jail, &class->session);
+    return class->ready && grade_folder(class, entry, report) && is_to_blame(class, report) &&
+           record_write(class->options->output, entry, report);
+}
+
+static void work(Outcome *outcome, void *context) {
+    Class *class = context;
+    Report report = {0};
+    outcome->done = grade_entry(class, &class->roll.entries[outcome->job], &report);
+    outcome->score = result_score(&report);
+    outcome->maximum = result_max_score(&report);
+    snprintf(outcome->reason, sizeof outcome->reason, "%s", outcome->done ? "" : check_message());
+    session_free(&report);
+}
+
+static void finished(const Outcome *outcome, void *context) {
+    Class *class = context;
+    const Entry *entry = &class->roll.entries[outcome->job];
+    char text[POOL_REASON + 32];
+    if (outcome->done) {
+        snprintf(text, sizeof text, "%.2f of %.0f", outcome->score, outcome->maximum);
+    } else {
+        char *reason = escape_name(outcome->reason);
+        snprintf(text, sizeof text, "not graded: %.*s", POOL_REASON, reason);
+        free(reason);
+        class->not_graded++;
+        check_clear();
+        if (!record_write_failure(class->options->output, entry, outcome->reason))
+            fprintf(stderr, "grade: %s\n", check_message());
+    }
+    ticker_step(&class->ticker, entry->shown, text, !outcome->done);
+}
+
+// Writes the numbers of the entries that are to be graded to `jobs`. False with a message.
+static bool choose(const Class *class, int *jobs, int *count) {
+    const Options *options = class->options;
+    *count = 0;
+    for (int i = 0; i < options->only_count; i++) {
+        jobs[*count] = roll_find(&class->roll, options->only[i]);
+        if (jobs[(*count)++] < 0)
+            return false;
+    }
+    for (int i = 0; !options->only && i < class->roll.count; i++) {
+        json_t *record = record_read(options->output, &class->roll.entries[i]);
+        if (!record_is_graded(record))
+            jobs[(*count)++] = i;
+        json_decref(record);
+    }
+    return true;
+}
+
+static bool make_folders(const char *output) {
+    char path[FILES_PATH];
+    files_join(path, output, "results/");
+    if (!files_make_folder(path))
+        return false;
+    files_join(path, output, "pages/");
+    return files_make_folder(path);
+}
+
+static int processor_count(void) {
+    long count = sysconf(_SC_NPROCESSORS_ONLN);
+    return count < 1 ? 1 : count > 256 ? 256 : (int)count;
+}
+
+static bool grade_all(Class *class) {
+    const Options *options = class->options;
+    int *jobs = calloc((size_t)(class->roll.count + options->only_count), sizeof *jobs), count;
+    INVARIANT(jobs);
+    bool ok = choose(class, jobs, &count);
+    if (ok) {
+        int processes = options->jobs ? options->jobs : processor_count();
+        const Pool pool = {.processes = processes < count ? processes : count,
+                           .tries = TRIES,
+                           .seconds = class->plan.lab_count * (3 * class->plan.seconds + 300),
+                           .context = class,
+                           .work = work,
+                           .finished = finished};
+        int total = options->only ? count : class->roll.count;
+        ticker_begin(&class->ticker, stdout, total, total - count);
+        ok = pool_run(&pool, jobs, count);
+        ticker_end(&class->ticker);
+    }
+    free(jobs);
+    return ok;
+}
+
+static void print_list(const Roll *roll) {
+    for (int i = 0; i < roll->count; i++)
+        puts(roll->entries[i].file);
+}
+
+static void note_ignored(const Roll *roll) {
+    for (int i = 0; i < roll->ignored_count; i++)
+        fprintf(stderr,
+                "grade: ignored: \"%s\" is neither a folder nor an archive (.zip, .tar.gz), or hidden\n",
+                roll->ignored[i]);
+}
+
+static bool grade_in_jail(Class *class) {
+    bool ok = open_jail(class->options, &class->jail) && grade_all(class);
+    jail_destroy(&class->jail);
+    return ok;
+}
+
+// The whole class: alone in OUT, with a workplace.
+static bool grade_rest(Class *class) {
+    const char *output = class->options->output;
+    bool ok = workplace_create(output) && grade_in_jail(class);
+    workplace_destroy(output);
+    return ok;
+}
+
+static bool grade_class(Class *class) {
+    const Options *options = class->options;
+    if (!make_folders(options->output) || !plan_open(&class->plan, options))
+        return false;
+    if (options->only)
+        return grade_in_jail(class);
+    return (options->gather || grade_rest(class)) &&
+           gather(options->output, &class->roll, &class->plan, &class->not_graded);
+}
+
+static void say_end(const Class *class) {
+    const char *output = class->options->output;
+    if (!class->options->only)
+        printf("%d submissions, %d not graded: %s/grades.csv, %s/index.html\n", class->roll.count,
+               class->not_graded, output, output);
+    if (class->not_graded > 0)
+        printf("--resume tries again what is not graded\n");
+}
+
+int class_run(Options *options) {
+    static Class class;
+    class.options = options;
+    class.plan.lock = -1;
+    int status = EXIT_COULD_NOT;
+    bool ok = roll_read(&class.roll, options->class_folder);
+    if (ok && options->list) {
+        print_list(&class.roll);
+        status = EXIT_ALL_PASSED;
+    } else if (ok && grade_class(&class)) {
+        note_ignored(&class.roll);
+        say_end(&class);
+        status = class.not_graded > 0 ? EXIT_COULD_NOT : EXIT_ALL_PASSED;
+    } else {
+        fprintf(stderr, "grade: %s\n", check_message());
+    }
+    plan_close(&class.plan);
+    roll_destroy(&class.roll);
+    return status;
 }

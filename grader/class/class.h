@@ -5,4 +5,4 @@
 #include "options.h"
 
 // Does what the options of --class ask for; returns the exit status of the program.
-int class_run(const Options *options);
+int class_run(Options *options);

@@ -27,10 +27,13 @@ static void write_check(Page *page, const CheckResult *check) {
 }
 
 static void write_checks(Page *page, const LabResult *lab) {
-    fputs("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table><thead><tr><th "
-          "scope=\"col\">result</th><th scope=\"col\">task</th><th scope=\"col\">check</th><th scope=\"col\" "
-          "class=\"number\">points</th><th scope=\"col\">what is wrong</th></tr></thead><tbody>\n",
-          page->out);
+    fprintf(
+        page->out,
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Checks of lab "
+        "%s\"><table><thead><tr><th "
+        "scope=\"col\">result</th><th scope=\"col\">task</th><th scope=\"col\">check</th><th scope=\"col\" "
+        "class=\"number\">points</th><th scope=\"col\">what is wrong</th></tr></thead><tbody>\n",
+        lab->id);
     for (int c = 0; c < lab->check_count; c++)
         write_check(page, &lab->checks[c]);
     fputs("</tbody></table></div>\n", page->out);
@@ -119,8 +122,9 @@ char *report_html(const Report *report, const char *name) {
     Page page;
     if (!page_begin(&page, name[0] ? name : "Shadow Lab"))
         return NULL;
-    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"faint\">(seed %llu, %s, ", result_score(report),
+    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"faint\">(seed %llu, %s", result_score(report),
             result_max_score(report), (unsigned long long)report->seed, report->context);
+    fputs(report->renderer[0] ? ", " : "", page.out);
     page_text(&page, report->renderer);
     fputs(")</span></p>\n", page.out);
     for (int i = 0; i < report->lab_count; i++)

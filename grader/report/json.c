@@ -35,8 +35,8 @@ json_t *report_json(const Report *report) {
         json_array_append_new(labs, lab_json(&report->labs[i]));
     char seed[24];
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)report->seed);
-    return json_pack("{s:i, s:s, s:s, s:s, s:f, s:f, s:f, s:o}", "version", 1, "seed", seed, "context",
-                     report->context, "renderer", report->renderer, "seconds",
+    return json_pack("{s:i, s:s, s:s, s:s, s:s, s:f, s:f, s:f, s:o}", "version", 1, "seed", seed, "context",
+                     report->context, "jail", report->jail, "renderer", report->renderer, "seconds",
                      rounded(report->seconds, 0.001), "score", rounded(result_score(report), 0.01),
                      "max_score", result_max_score(report), "labs", labs);
 }

@@ -4,6 +4,8 @@
 #include "image.h"
 
 #include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 
 typedef struct Page {
@@ -26,3 +28,6 @@ void page_data(Page *page, const char *type, const void *bytes, size_t size);
 
 // Writes an <img> with the picture as a data: URI. `description` is its alt text.
 void page_picture(Page *page, const Image *image, const char *class_name, const char *description);
+
+// Writes the bytes in base64 (RFC 4648), padded.
+void page_base64(FILE *out, const uint8_t *bytes, size_t size);

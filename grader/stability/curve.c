@@ -25,6 +25,11 @@ double curve_exponent(const Curve *curve) {
     return (xy - x * y) / (xx - x * x);
 }
 
+const char *curve_bound(const Curve *curve) {
+    static const char *const words[] = {"", "at least ", "at most ", "", "above ", "below "};
+    return words[curve->rule];
+}
+
 // How much of the tolerance an excess takes up.
 static double share_of(double excess, double tolerance) {
     if (excess <= 0)

@@ -52,6 +52,9 @@ Curve *figure_curve(Figure *figure, const char *name, CurveRule rule);
 // curve is full.
 void curve_add(Curve *curve, double x, double measured, double expected, double tolerance);
 
+// "at least ", "above " and so on, or "": what the curve's rule makes of a verdict's expected value.
+const char *curve_bound(const Curve *curve);
+
 // By the curve's rule.
 CurveVerdict curve_judge(const Curve *curve);
 

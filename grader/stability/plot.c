@@ -55,7 +55,7 @@ static void write_title(FILE *out, const Curve *curve) {
     if (curve->rule == CURVE_SLOPE)
         check_append(text, sizeof text, " (dashed: slope %g)", curve->slope);
     if (curve->rule == CURVE_LEAST || curve->rule == CURVE_MOST)
-        check_append(text, sizeof text, " (dashed: at %s)", curve->rule == CURVE_LEAST ? "least" : "most");
+        check_append(text, sizeof text, " (%sthe dashed)", curve_bound(curve));
     write_quoted(out, text);
 }
 

@@ -202,7 +202,7 @@ const Row rows_frame[] = {
      "With GL_REPEAT the shadow in the map comes again in each period: the part of the wall that the "
      "repeated squares cover. With a border of depth 1 nothing outside is dark.",
      "closed form", run_frame},
-    {10, "far plane", "shadow map, hardware comparison",
+    {10, "far plane of the map", "shadow map, hardware comparison",
      "the wall's distance across the far plane, by comparison and depth format",
      "Beyond the far plane the reference is greater than 1 and the map is at 1. OpenGL clamps the reference "
      "for the fixed-point formats only: GL_LESS makes all dark, GL_LEQUAL makes it lit with 16 and 24 bits "

@@ -13,6 +13,7 @@ enum { SIZE = COUNTING_SIZE, BITS = 256, WALK = 200, ORDERS = 3 };
 // front faces first (in z-pass they add one), 2: all back faces first.
 #define COPIES                                                                                               \
     {"lab.c", "    casters_draw(frame, program);\n",                                                         \
+     "    {\n"                                                                                               \
      "    int copies = (int)frame->scene->lights[0].near_plane;\n"                                           \
      "    int order = (int)frame->scene->lights[0].far_plane;\n"                                             \
      "    for (int half = 0; half < (order ? 2 : 1); half++) {\n"                                            \
@@ -25,7 +26,8 @@ enum { SIZE = COUNTING_SIZE, BITS = 256, WALK = 200, ORDERS = 3 };
      "        }\n"                                                                                           \
      "    }\n"                                                                                               \
      "    glCullFace(GL_BACK);\n"                                                                            \
-     "    glDisable(GL_CULL_FACE);\n"},                                                                      \
+     "    glDisable(GL_CULL_FACE);\n"                                                                        \
+     "    }\n"},                                                                                             \
         {"volume.geom", "layout(triangles_adjacency) in;",                                                   \
          "layout(triangles_adjacency, invocations = 32) in;\nuniform int u_copies;"},                        \
     {                                                                                                        \

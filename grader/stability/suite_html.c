@@ -20,8 +20,8 @@ static const char *status_words(RowStatus status) {
     return words[status];
 }
 
-static void write_cell(Page *page, double value) {
-    fputs("<td class=\"number\">", page->out);
+static void write_cell(Page *page, const char *bound, double value) {
+    fprintf(page->out, "<td class=\"number\">%s", isfinite(value) ? bound : "");
     if (isfinite(value))
         fprintf(page->out, "%.4g", value);
     else
@@ -54,8 +54,9 @@ static void write_summary(Page *page, const RowResult *results, int count) {
         fprintf(page->out, "<td class=\"%s state\">%s</td>", status_class(result->status),
                 status_words(result->status));
         write_element(page, "td", result->curve ? result->curve->name : "–");
-        write_cell(page, result->curve ? result->worst.measured : NAN);
-        write_cell(page, result->curve ? result->worst.expected : NAN);
+        write_cell(page, "", result->curve ? result->worst.measured : NAN);
+        write_cell(page, result->curve ? curve_bound(result->curve) : "",
+                   result->curve ? result->worst.expected : NAN);
         fputs("</tr>\n", page->out);
     }
     fputs("</tbody></table></div>\n", page->out);
@@ -67,10 +68,10 @@ static void write_points(Page *page, const Curve *curve) {
         const CurvePoint *point = &curve->points[i];
         fputs("<tr>", page->out);
         write_element(page, "td", curve->name);
-        write_cell(page, point->x);
-        write_cell(page, point->measured);
-        write_cell(page, level ? point->expected : NAN);
-        write_cell(page, curve->rule == CURVE_SLOPE ? NAN : point->tolerance);
+        write_cell(page, "", point->x);
+        write_cell(page, "", point->measured);
+        write_cell(page, curve_bound(curve), level ? point->expected : NAN);
+        write_cell(page, "", curve->rule == CURVE_SLOPE ? NAN : point->tolerance);
         fputs("</tr>\n", page->out);
     }
 }

@@ -25,17 +25,17 @@ bool artist_open(Artist *artist, const char *id) {
 static bool derive(Artist *artist, const char *folder) {
     char log[COMPILE_LOG] = "";
     return files_make_temporary(artist->client.folder) &&
-           (derive_submission(artist->client.folder, &artist->rubric, folder, log) ||
+           (derive_submission(artist->client.folder, &artist->rubric, folder, artist->client.jail, log) ||
             check_fail("%s", log[0] ? log : "the submission does not compile"));
 }
 
-bool artist_open_submission(Artist *artist, const char *id, const char *submission) {
+bool artist_open_submission(Artist *artist, const char *id, const char *submission, const Jail *jail) {
     char folder[FILES_PATH];
     if (!load(artist, id))
         return false;
     if (!home_find_lab_in(folder, submission, id))
         files_join(folder, submission, ".");
-    artist->client = (Client){.trust = TRUST_NOBODY, .seconds = SECONDS};
+    artist->client = (Client){.trust = TRUST_NOBODY, .jail = jail, .seconds = SECONDS};
     return derive(artist, folder);
 }
 

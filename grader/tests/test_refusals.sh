@@ -6,7 +6,8 @@ source "$(dirname "$0")/lib.sh"
 copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{Makefile,common,shaders,labs,solutions,grader,.clang-format} "$copy"
-cp -r "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include} "$copy/build"
+mkdir -p "$root/$BUILD/cache"
+cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,cache} "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 
@@ -65,6 +66,10 @@ echo "// mine" >>labs/03-shadow-map/shadow.frag
 runs grader/reset 03
 expect "reset" 0 "your files are kept in labs/03-shadow-map.backup-"
 tail -1 labs/03-shadow-map.backup-*/shadow.frag | grep -q mine && cmp -s labs/03-shadow-map/shadow.frag "$root/labs/03-shadow-map/shadow.frag" && ok || bad "reset keeps the old and restores the new"
+for n in 1 2; do echo "// again $n" >>labs/03-shadow-map/shadow.frag && runs grader/reset 03; done
+[[ $(cat labs/03-shadow-map.backup-*/shadow.frag | grep -cE '^// (mine|again)') == 3 ]] && ok || bad "each reset keeps its own backup" "$(ls labs)"
+runs grader/reset 03
+expect "reset of a skeleton" 0 "is the skeleton already"
 runs grader/reset 77
 expect "reset of no lab" 2 "which lab?"
 runs grader/hint 3.2

@@ -59,7 +59,7 @@ static void grade(Verdict *verdict, Kept *kept, int lab, const BenchOptions *opt
     static LabResult result;
     char folder[FILES_PATH];
     const GradeOptions how = {
-        .context = options->context, .seconds = options->seconds, .seed = options->seed};
+        .context = options->context, .seconds = options->seconds, .seed = options->seed, .untimed = true};
     const double start = process_now();
     memset(verdict, 0, sizeof *verdict);
     check_clear();

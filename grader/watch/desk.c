@@ -90,13 +90,17 @@ static bool find_todo(const Desk *desk, const char *task, char *place, size_t si
 }
 
 // A task that is said to be open may be done already and show only together with a later one: then its TODO
-// is gone, and the next TODO is where to go on.
+// is gone, and the next TODO is where to go on. An earlier TODO may be forgotten, or a task that was skipped.
 static void find_open_task(const Desk *desk, Focus *focus) {
     char task[16], place[300];
-    const int lab = atoi(desk->rubrics[desk->current].id);
-    for (int n = task_number(focus->task); n < DESK_MAX_TASKS; n++) {
+    const int lab = atoi(desk->rubrics[desk->current].id), said = task_number(focus->task);
+    for (int n = 1; n < DESK_MAX_TASKS; n++) {
         snprintf(task, sizeof task, "%d.%d", lab, n);
         if (!find_todo(desk, task, place, sizeof place))
+            continue;
+        if (n < said && !focus->left[0])
+            memcpy(focus->left, place, sizeof place);
+        if (n < said)
             continue;
         memcpy(focus->task, task, sizeof task);
         memcpy(focus->place, place, sizeof place);
@@ -137,7 +141,8 @@ bool desk_take(Desk *desk, const Verdict *verdict) {
         return false;
     const bool just_done = verdict->done && desk->was_open;
     const time_t now = time(NULL);
-    desk->score_before = desk->known ? desk->verdict.score : -1;
+    if (desk->known && desk->verdict.status <= LAB_FAILED)
+        desk->score_before = desk->verdict.score;
     desk->verdict = *verdict;
     desk->known = true;
     desk->was_open = desk->was_open || !verdict->done;

@@ -14,6 +14,7 @@ typedef struct Focus {
     int check; // the first that failed; -1: none
     char task[16];
     char place[300]; // "labs/03-shadow-map/shadow.frag:17", where its TODO stands; "" when that is gone
+    char left[300];  // where the TODO of an earlier task still stands; "" when none does
 } Focus;
 
 typedef struct Desk {
@@ -25,7 +26,7 @@ typedef struct Desk {
     bool known;    // verdict and focus are there, and of this lab
     bool was_open; // an earlier verdict of this visit was not done
     Verdict verdict;
-    double score_before; // the points before this verdict; -1 for the first one of a visit
+    double score_before; // the points before this verdict; -1 when there were none in this visit
     char clock[16];      // when the verdict came
     Focus focus;
     int hints[RESULT_MAX_LABS][DESK_MAX_TASKS]; // of each task: how many are shown

@@ -25,11 +25,16 @@ static void show_message(Sheet *sheet, const Desk *desk) {
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
 }
 
+// Nothing could be drawn, so there are no points to show.
+static bool is_broken(const Verdict *verdict) {
+    return verdict->fault || verdict->status > LAB_FAILED;
+}
+
 static void show_title(Sheet *sheet, const Desk *desk) {
     const Rubric *rubric = &desk->rubrics[desk->current];
     const Verdict *verdict = &desk->verdict;
     char bar[WIDE_BAR + 8], change[32] = "";
-    if (!desk->known) {
+    if (!desk->known || is_broken(verdict)) {
         sheet_line(sheet, STYLE_BOLD, "Lab %s: %s", rubric->id, rubric->title);
         return;
     }
@@ -107,7 +112,7 @@ void screens_lab(Sheet *sheet, const Desk *desk, bool busy) {
             sheet_line(sheet, STYLE_DIM, "  grading ...");
         return;
     }
-    const bool broken = desk->verdict.fault || desk->verdict.status > LAB_FAILED;
+    const bool broken = is_broken(&desk->verdict);
     if (!broken)
         show_checks(sheet, desk);
     show_words(sheet, desk);
@@ -145,7 +150,6 @@ void screens_footer(char *text, size_t size, const Desk *desk, bool listing, boo
     else if (busy)
         snprintf(text, size, "h hint  l list  r run  n next  q quit     grading ...");
     else
-        snprintf(text, size,
-                 "h hint  l list  r run  n next  q quit     graded at %s in %.1f s; save to grade again",
-                 desk->clock, desk->verdict.seconds);
+        snprintf(text, size, "h hint  l list  r run  n next  q quit     graded at %s in %.1f s", desk->clock,
+                 desk->verdict.seconds);
 }

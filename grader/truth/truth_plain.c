@@ -1,4 +1,4 @@
-#include "plain.h"
+#include "truth_plain.h"
 
 #include "aim.h"
 #include "tile.h"
@@ -64,8 +64,8 @@ static void trace_row(int row, void *context) {
     }
 }
 
-void plain_trace(const Truth *truth, const TruthPicture *picture, const TruthQuery *query,
-                 float *visibility) {
+void truth_trace_plainly(const Truth *truth, const TruthPicture *picture, const TruthQuery *query,
+                         float *visibility) {
     Plain plain = {truth, picture, query, visibility};
     tile_each_row(picture->height, trace_row, &plain);
 }

@@ -6,4 +6,5 @@
 // As truth_trace, but each pixel for itself: row by row, with samples of its own, and every ray given to
 // Embree alone, without a word about its neighbours. Single queries of lights give the same visibility; for
 // areas and occlusion the samples are others. The query must be one that truth_trace takes.
-void plain_trace(const Truth *truth, const TruthPicture *picture, const TruthQuery *query, float *visibility);
+void truth_trace_plainly(const Truth *truth, const TruthPicture *picture, const TruthQuery *query,
+                         float *visibility);

@@ -1,0 +1,270 @@
+#include "index.h"
+
+#include "check.h"
+#include "report/page.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { BINS = 10, MAX_CAUSES = 512, SHOWN_CAUSES = 15 };
+
+static void cell(Page *page, const char *text) {
+    fputs("<td>", page->out);
+    page_text(page, text);
+    fputs("</td>", page->out);
+}
+
+// Begins a table that can be scrolled by itself on a narrow screen. `label` says what it holds.
+static void begin_table(Page *page, const char *label) {
+    fprintf(page->out, "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"%s\"><table>", label);
+}
+
+static void end_table(Page *page) {
+    fputs("</tbody></table></div>\n", page->out);
+}
+
+// A bar beside its number; `most` is as long as a bar gets.
+static void bar_cell(Page *page, int value, int most) {
+    fprintf(page->out, "<td class=\"number\">%d</td><td aria-hidden=\"true\">", value);
+    if (value > 0)
+        fprintf(page->out, "<span class=\"bar\" style=\"width:%.2frem\"></span>", 14.0 * value / most);
+    fputs("</td>", page->out);
+}
+
+static int by_value(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void write_bins(Page *page, const char *lab, const int *bins) {
+    char label[40];
+    int most = 1;
+    for (int b = 0; b <= BINS; b++)
+        most = bins[b] > most ? bins[b] : most;
+    snprintf(label, sizeof label, "Distribution of lab %s", lab);
+    begin_table(page, label);
+    fputs("<thead><tr><th scope=\"col\">% of the points</th><th scope=\"col\" "
+          "class=\"number\">submissions</th><td>"
+          "</td></tr></thead><tbody>\n",
+          page->out);
+    for (int b = 0; b <= BINS; b++) {
+        if (b < BINS)
+            fprintf(page->out, "<tr><th scope=\"row\">%d to below %d</th>", 100 * b / BINS,
+                    100 * (b + 1) / BINS);
+        else
+            fputs("<tr><th scope=\"row\">100</th>", page->out);
+        bar_cell(page, bins[b], most);
+        fputs("</tr>\n", page->out);
+    }
+    end_table(page);
+}
+
+static void write_distribution(Page *page, const Table *table, int n) {
+    double *scores = calloc((size_t)table->roll->count, sizeof *scores), maximum = 0, sum = 0;
+    int bins[BINS + 1] = {0}, count = 0, passed = 0;
+    const char *name = "";
+    INVARIANT(scores);
+    for (int i = 0; i < table->roll->count; i++) {
+        const json_t *lab = table_is_graded(table, i) ? table_lab(table, i, n) : NULL;
+        if (!lab)
+            continue;
+        maximum = table_number(lab, "max_score");
+        name = table_text(lab, "name");
+        sum += scores[count++] = table_number(lab, "score");
+        passed += strcmp(table_text(lab, "status"), "passed") == 0;
+        bins[(int)(BINS * scores[count - 1] / maximum + 1e-9)]++;
+    }
+    if (count > 0) {
+        qsort(scores, (size_t)count, sizeof *scores, by_value);
+        fprintf(page->out, "<h3>Lab %s: ", table->plan->labs[n]);
+        page_text(page, name);
+        fprintf(page->out,
+                "</h3>\n<p>%d of %d passed; of %.0f points the median is %.2f, the mean %.2f.</p>\n", passed,
+                count, maximum, (scores[count / 2] + scores[(count - 1) / 2]) / 2, sum / count);
+        write_bins(page, table->plan->labs[n], bins);
+    }
+    free(scores);
+}
+
+typedef struct Cause {
+    const char *lab, *task, *name;
+    size_t length;         // of the name that counts
+    int submissions, last; // last: the entry that was counted last
+} Cause;
+
+typedef struct Causes {
+    Cause list[MAX_CAUSES];
+    int count;
+} Causes;
+
+static bool same_cause(const Cause *a, const Cause *b) {
+    return a->length == b->length && strncmp(a->name, b->name, a->length) == 0 && strcmp(a->lab, b->lab) == 0;
+}
+
+// What stands behind a semicolon are the numbers of one picture (error_kind).
+static void count_cause(Causes *causes, const char *lab, const json_t *check, int entry) {
+    const char *name = table_text(json_object_get(check, "cause"), "mistake");
+    const Cause cause = {lab, table_text(check, "task"), name, strcspn(name, ";"), 0, -1};
+    int i = 0;
+    while (i < causes->count && !same_cause(&causes->list[i], &cause))
+        i++;
+    if (!name[0] || i == MAX_CAUSES)
+        return;
+    if (i == causes->count)
+        causes->list[causes->count++] = cause;
+    causes->list[i].submissions += causes->list[i].last != entry;
+    causes->list[i].last = entry;
+}
+
+static int by_frequency(const void *a, const void *b) {
+    const Cause *x = a, *y = b;
+    if (x->submissions != y->submissions)
+        return y->submissions - x->submissions;
+    int lab = strcmp(x->lab, y->lab);
+    return lab ? lab : strcmp(x->name, y->name);
+}
+
+static void count_causes(Causes *causes, const Table *table) {
+    size_t c;
+    json_t *check;
+    causes->count = 0;
+    for (int i = 0; i < table->roll->count; i++)
+        for (int n = 0; n < table->plan->lab_count; n++)
+            json_array_foreach(json_object_get(table_lab(table, i, n), "checks"), c, check)
+                count_cause(causes, table->plan->labs[n], check, i);
+    qsort(causes->list, (size_t)causes->count, sizeof causes->list[0], by_frequency);
+}
+
+static void write_causes(Page *page, const Table *table) {
+    static Causes causes;
+    char name[256];
+    count_causes(&causes, table);
+    fputs("<h2>The commonest mistakes</h2>\n", page->out);
+    if (causes.count == 0) {
+        fputs("<p>None.</p>\n", page->out);
+        return;
+    }
+    begin_table(page, "The commonest mistakes");
+    fputs("<thead><tr><th scope=\"col\">lab</th><th scope=\"col\">task</th><th scope=\"col\">mistake</th><th "
+          "scope=\"col\" class=\"number\">submissions</th><td></td></tr></thead><tbody>\n",
+          page->out);
+    for (int i = 0; i < causes.count && i < SHOWN_CAUSES; i++) {
+        fputs("<tr>", page->out);
+        cell(page, causes.list[i].lab);
+        cell(page, causes.list[i].task);
+        snprintf(name, sizeof name, "%.*s", (int)causes.list[i].length, causes.list[i].name);
+        cell(page, name);
+        bar_cell(page, causes.list[i].submissions, causes.list[0].submissions);
+        fputs("</tr>\n", page->out);
+    }
+    end_table(page);
+}
+
+static void write_link(Page *page, const Table *table, int i) {
+    const Entry *entry = &table->roll->entries[i];
+    if (table_is_graded(table, i))
+        fprintf(page->out, "<a href=\"pages/%s.html\">", entry->file);
+    page_text(page, entry->shown);
+    if (table_is_graded(table, i))
+        fputs("</a>", page->out);
+}
+
+static void look_row(Page *page, const Table *table, int i, const char *lab, const char *what,
+                     const char *message) {
+    char first[200];
+    snprintf(first, sizeof first, "%s", message);
+    for (char *end; (end = strchr(first, '\n'));)
+        *end = ' ';
+    fputs("<tr><td class=\"name\">", page->out);
+    write_link(page, table, i);
+    fputs("</td>", page->out);
+    cell(page, lab);
+    cell(page, what);
+    cell(page, first);
+    fputs("</tr>\n", page->out);
+}
+
+static void write_looks(Page *page, const Table *table) {
+    fputs("<h2>Who needs a look</h2>\n<p>Not graded for a reason of the grader's, or nothing could be drawn, "
+          "or only a part.</p>\n",
+          page->out);
+    begin_table(page, "Who needs a look");
+    fputs("<thead><tr><th scope=\"col\">submission</th><th scope=\"col\">lab</th><th "
+          "scope=\"col\">status</th><th "
+          "scope=\"col\">message</th></tr></thead><tbody>\n",
+          page->out);
+    for (int i = 0; i < table->roll->count; i++) {
+        if (!table_is_graded(table, i))
+            look_row(page, table, i, "all", "not graded", table_reason(table, i));
+        for (int n = 0; table_is_graded(table, i) && n < table->plan->lab_count; n++) {
+            const json_t *lab = table_lab(table, i, n);
+            if (table_text(lab, "message")[0])
+                look_row(page, table, i, table->plan->labs[n], table_text(lab, "status"),
+                         table_text(lab, "message"));
+        }
+    }
+    end_table(page);
+    if (table->roll->ignored_count == 0)
+        return;
+    fputs("<p>Ignored in the class's folder, because they are neither folders nor archives, or "
+          "hidden:</p>\n<ul>\n",
+          page->out);
+    for (int i = 0; i < table->roll->ignored_count; i++) {
+        fputs("<li>", page->out);
+        page_text(page, table->roll->ignored[i]);
+        fputs("</li>\n", page->out);
+    }
+    fputs("</ul>\n", page->out);
+}
+
+static void write_row(Page *page, const Table *table, int i) {
+    bool graded = table_is_graded(table, i);
+    fputs("<tr><td class=\"name\">", page->out);
+    write_link(page, table, i);
+    fputs("</td>", page->out);
+    for (int n = 0; n < table->plan->lab_count; n++) {
+        fputs("<td class=\"number\">", page->out);
+        if (graded)
+            fprintf(page->out, "%.2f", table_number(table_lab(table, i, n), "score"));
+        fputs("</td>", page->out);
+    }
+    fputs("<td class=\"number\">", page->out);
+    if (graded)
+        fprintf(page->out, "%.2f", table_total(table, i));
+    fprintf(page->out, "</td><td>%s</td></tr>\n", table_status(table, i));
+}
+
+static void write_all(Page *page, const Table *table) {
+    fputs("<h2>All submissions</h2>\n", page->out);
+    begin_table(page, "All submissions");
+    fputs("<thead><tr><th scope=\"col\" aria-sort=\"ascending\"><button>submission</button></th>", page->out);
+    for (int n = 0; n < table->plan->lab_count; n++)
+        fprintf(page->out, "<th scope=\"col\" class=\"number\"><button>lab %s</button></th>",
+                table->plan->labs[n]);
+    fputs("<th scope=\"col\" class=\"number\"><button>total</button></th><th "
+          "scope=\"col\"><button>status</button></th></tr>"
+          "</thead><tbody>\n",
+          page->out);
+    for (int i = 0; i < table->roll->count; i++)
+        write_row(page, table, i);
+    end_table(page);
+}
+
+char *index_page(const Table *table) {
+    Page page;
+    int graded = 0;
+    for (int i = 0; i < table->roll->count; i++)
+        graded += table_is_graded(table, i);
+    if (!page_begin(&page, "Shadow Lab: the class"))
+        return NULL;
+    fprintf(page.out,
+            "<p>%d submissions, %d graded, %d not graded <span class=\"faint\">(seed %llu)</span></p>\n",
+            table->roll->count, graded, table->roll->count - graded, (unsigned long long)table->plan->seed);
+    fputs("<h2>Scores</h2>\n", page.out);
+    for (int n = 0; n < table->plan->lab_count; n++)
+        write_distribution(&page, table, n);
+    write_causes(&page, table);
+    write_looks(&page, table);
+    write_all(&page, table);
+    return page_end(&page);
+}

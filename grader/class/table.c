@@ -1,0 +1,64 @@
+#include "table.h"
+
+#include "check.h"
+#include "record.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void table_read(Table *table, const char *output, const Roll *roll, const Plan *plan) {
+    *table = (Table){roll, plan, calloc((size_t)roll->count, sizeof(json_t *))};
+    INVARIANT(table->records);
+    for (int i = 0; i < roll->count; i++)
+        table->records[i] = record_read(output, &roll->entries[i]);
+}
+
+void table_free(Table *table) {
+    for (int i = 0; table->records && i < table->roll->count; i++)
+        json_decref(table->records[i]);
+    free(table->records);
+    *table = (Table){0};
+}
+
+bool table_is_graded(const Table *table, int i) {
+    return record_is_graded(table->records[i]);
+}
+
+const char *table_reason(const Table *table, int i) {
+    return table->records[i] ? table_text(table->records[i], "reason") : "not begun";
+}
+
+const json_t *table_lab(const Table *table, int i, int n) {
+    size_t k;
+    json_t *lab;
+    json_array_foreach(json_object_get(json_object_get(table->records[i], "report"), "labs"), k, lab) {
+        if (strcmp(table_text(lab, "id"), table->plan->labs[n]) == 0)
+            return lab;
+    }
+    return NULL;
+}
+
+double table_number(const json_t *object, const char *key) {
+    return json_number_value(json_object_get(object, key));
+}
+
+const char *table_text(const json_t *object, const char *key) {
+    const char *text = json_string_value(json_object_get(object, key));
+    return text ? text : "";
+}
+
+const char *table_status(const Table *table, int i) {
+    if (!table_is_graded(table, i))
+        return "not graded";
+    for (int n = 0; n < table->plan->lab_count; n++)
+        if (strcmp(table_text(table_lab(table, i, n), "status"), "passed") != 0)
+            return "failed";
+    return "passed";
+}
+
+double table_total(const Table *table, int i) {
+    double total = 0;
+    for (int n = 0; n < table->plan->lab_count; n++)
+        total += table_number(table_lab(table, i, n), "score");
+    return total;
+}

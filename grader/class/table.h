@@ -1,0 +1,35 @@
+// The records of a class, read once, and what its reports look up in them.
+#pragma once
+
+#include "plan.h"
+#include "roll.h"
+
+#include <jansson.h>
+#include <stdbool.h>
+
+typedef struct Table {
+    const Roll *roll;
+    const Plan *plan;
+    json_t **records; // one an entry, NULL where there is none
+} Table;
+
+void table_read(Table *table, const char *output, const Roll *roll, const Plan *plan);
+void table_free(Table *table);
+
+bool table_is_graded(const Table *table, int i);
+
+// Why entry i is not graded.
+const char *table_reason(const Table *table, int i);
+
+// Entry i's result of the plan's lab n, as in schema.json; NULL when it is not graded.
+const json_t *table_lab(const Table *table, int i, int n);
+
+// A number or a text of it; 0 or "" when there is none.
+double table_number(const json_t *object, const char *key);
+const char *table_text(const json_t *object, const char *key);
+
+// "passed": all labs; else "failed", or "not graded".
+const char *table_status(const Table *table, int i);
+
+// Points of all labs.
+double table_total(const Table *table, int i);

@@ -1,0 +1,14 @@
+// What jail_extract and inside/unpack.c say to each other. To descriptor 0: the archive's size (uint64_t) and
+// bytes. From descriptor 3: for each file an ExtractEntry and its bytes; then one of another kind, and no
+// more.
+#pragma once
+
+#include <stdint.h>
+
+typedef enum ExtractKind { EXTRACT_FILE = 1, EXTRACT_END, EXTRACT_REFUSED } ExtractKind;
+
+typedef struct ExtractEntry {
+    uint32_t kind;
+    uint32_t size;   // bytes of the file
+    char text[1024]; // its name, or why the archive is refused
+} ExtractEntry;

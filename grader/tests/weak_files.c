@@ -1,0 +1,6 @@
+// A part of a jail weakened on purpose: linked into a shim that the self-test must refuse.
+#include "jail/inside/shim.h"
+
+void shim_hide_files(const ShimPlan *plan) {
+    (void)plan;
+}
