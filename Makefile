@@ -33,7 +33,7 @@ STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-sta
 GRADER += $(JAIL)
 # The window, the only user of GLFW and stb; the truth is one of its views where Embree is there.
 WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
-VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
+VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(and $(TRUTH),$(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew))),$(BUILD)/truth_worker)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
 ON_STUDY := $(patsubst %,$(BUILD)/%,stability chart test_truth_lab test_study)

@@ -54,8 +54,12 @@ rm "$kit"/grader/recorded/03-shadow-map/exam-1-02.png
 grades --lab 03 --seed 1 --trusted "$half"
 expect "a frame that is missing" 3 "exam-1-02.png"
 
-# Hints and reset.
+# What make would build there stands on nothing that stayed here.
 run() { status=0; out=$("$@" 2>&1) || status=$?; }
+run make -C "$kit" --no-print-directory -n build
+[[ $status == 0 && $out == *"/watch "* && $out != *truth* && $out != *study* ]] && ok || bad "make in the kit" "$(grep -E 'truth|study|\*\*\*' <<<"$out")"
+
+# Hints and reset.
 run "$kit/grader/hint" 3.2
 expect "hints" 0 "Hint 1 of 2 for task 3.2"
 cp "$half"/03-shadow-map/lab.c "$kit/labs/03-shadow-map"
