@@ -33,7 +33,11 @@ STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-sta
 GRADER += $(JAIL)
 # The window, the only user of GLFW and stb; the truth is one of its views where Embree is there.
 WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
-VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(and $(TRUTH),$(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew))),$(BUILD)/truth_worker)
+EMBREE := $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew))
+VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(and $(EMBREE),$(TRUTH)),$(BUILD)/truth_worker)
+# For their tests; among them shims that are weakened on purpose.
+WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
+HOSTILE := $(BUILD)/hostile $(BUILD)/without $(WEAK)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
 ON_STUDY := $(patsubst %,$(BUILD)/%,stability chart test_truth_lab test_study)
@@ -89,10 +93,10 @@ pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@grader/table
 
-test: build $(BUILD)/stability $(TESTS) $(BUILD)/without $(BUILD)/hostile $(BUILD)/chart ## run all tests
+test: build $(BUILD)/stability $(BUILD)/chart $(TESTS) $(HOSTILE) ## run all tests
 	@grader/tests/run $(BUILD)
 
-test-hostile: build $(BUILD)/without $(BUILD)/hostile ## attacks on the grader, by both routes into the jail (part of test)
+test-hostile: build $(HOSTILE) ## attacks on the grader, by both routes into the jail (part of test)
 	@BUILD=$(BUILD) grader/tests/test_hostile.sh
 
 sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
@@ -163,8 +167,6 @@ inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
 $(INSIDE): override SANITIZE :=
 $(BUILD)/jail_shim: $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $^ -lseccomp
-# A shim weakened on purpose, for the tests of the self-test.
-WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
 $(WEAK): override SANITIZE :=
 $(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/weak_%.o $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $(filter-out %/shim_$*.o,$^) -lseccomp

@@ -77,7 +77,10 @@ static DrawResult explain_end(const Client *client, char *text, size_t size) {
     }
     check_append(text, size, "it crashed: %s (%s)", strsignal(WTERMSIG(status)),
                  sigabbrev_np(WTERMSIG(status)));
-    const char *place = strstr(process->text, "in "); // report_crash of the worker
+    const char *place =
+        strstr(process->text, "in "); // report_crash of the worker, after what the lab printed
+    while (place && strstr(place + 1, "in "))
+        place = strstr(place + 1, "in ");
     if (place)
         check_append(text, size, " %.300s", place);
     if (process->peak_mib > MEMORY_MIB / 2)

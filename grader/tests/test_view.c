@@ -1,5 +1,4 @@
-// The window's parts without GL: orbits, knobs, pictures put together, places, watched files, and the
-// description of a lab that a stranger's worker sends.
+// The window's parts without GL: orbits, knobs, pictures put together, places, states, watched files.
 #include "../window/compose.h"
 #include "../window/knob_step.h"
 #include "../window/orbit.h"
@@ -222,6 +221,27 @@ static void test_state(void **unused) {
     assert_false(state_request(&state, 40, 30, &request));
 }
 
+// A check is named only as long as everything is as it asks.
+static void test_label(void **unused) {
+    (void)unused;
+    const Rubric rubric = {.check_count = 1,
+                           .checks = {{.name = "far",
+                                       .task = "3.8",
+                                       .view = "visibility",
+                                       .scene = "far floor",
+                                       .knobs = {{"map size", 64}},
+                                       .knob_count = 1}}};
+    char text[300];
+    State state;
+    state_begin(&state, &rubric);
+    state_step_check(&state, &rubric, 1);
+    state_text(&state, &rubric, text, sizeof text);
+    assert_string_equal(text, "visibility of \"far floor\", seed 1  [check 3.8: far]");
+    state_set_knob(&state, "map size", 128);
+    state_text(&state, &rubric, text, sizeof text);
+    assert_string_equal(text, "visibility of \"far floor\", seed 1");
+}
+
 static void write_file(const char *folder, const char *name, const char *text) {
     char path[FILES_PATH];
     files_join(path, folder, name);
@@ -251,33 +271,11 @@ static void test_watch(void **unused) {
     files_remove(folder);
 }
 
-// What a hostile worker may send.
-static void test_description(void **unused) {
-    (void)unused;
-    static Description bad;
-    memset(&bad, 'x', sizeof bad);
-    bad.knob_count = 1 << 20;
-    bad.pass_count = -5;
-    bad.title[0] = '\033';
-    bad.knobs[0].low = NAN;
-    bad.knobs[1].low = 5, bad.knobs[1].high = 1;
-    bad.knobs[2].low = 0, bad.knobs[2].high = 1, bad.knobs[2].value = INFINITY;
-    bad.knobs[3].low = 0, bad.knobs[3].high = 1, bad.knobs[3].value = 9;
-    description_clean(&bad);
-    assert_true(bad.knob_count == LAB_MAX_KNOBS && bad.pass_count == 0 && bad.stage_count == LAB_MAX_STAGES);
-    assert_int_equal(strlen(bad.title), sizeof bad.title - 1);
-    assert_true(bad.title[0] == '?');
-    assert_int_equal(strlen(bad.stages[LAB_MAX_STAGES - 1]), LAB_MAX_NAME - 1);
-    for (int i = 0; i < 2; i++)
-        assert_true(bad.knobs[i].low == 0 && bad.knobs[i].high == 0 && bad.knobs[i].value == 0);
-    assert_true(bad.knobs[2].value == 0 && bad.knobs[3].value == 1);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_camera),     cmocka_unit_test(test_limits),     cmocka_unit_test(test_light),
         cmocka_unit_test(test_knobs),      cmocka_unit_test(test_knob_texts), cmocka_unit_test(test_split),
         cmocka_unit_test(test_difference), cmocka_unit_test(test_places),     cmocka_unit_test(test_state),
-        cmocka_unit_test(test_watch),      cmocka_unit_test(test_description)};
+        cmocka_unit_test(test_label),      cmocka_unit_test(test_watch)};
     return cmocka_run_group_tests_name("view", tests, NULL, NULL);
 }

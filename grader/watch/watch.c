@@ -14,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 enum { EXIT_DONE, EXIT_OPEN, EXIT_USAGE, EXIT_FAULT, LOOK_EVERY = 100, PLAIN_WIDTH = 100 };
@@ -75,9 +74,7 @@ static bool parse(Options *options, int count, char **arguments) {
     const char *context = getenv("SHADOW_LAB_CONTEXT");
     home_path(labs, "labs");
     *options = (Options){.folder = labs, .bench.seconds = 20};
-    uint64_t *seed = &options->bench.seed;
-    INVARIANT(getrandom(seed, sizeof *seed, 0) == sizeof *seed);
-    if (recorded_only() && !recorded_choose(*seed, seed))
+    if (!recorded_draw_seed(&options->bench.seed))
         return false;
     if (context && !context_parse(&options->bench.context, context))
         return false;

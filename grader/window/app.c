@@ -104,6 +104,12 @@ void app_destroy(App *app) {
     rubric_destroy(&app->rubric);
 }
 
+const char *app_title(const App *app) {
+    if (app->table.title[0] || !app->rubric.title)
+        return app->table.title;
+    return app->rubric.title;
+}
+
 FeedKind app_other(const App *app) {
     return state_needs_truth(&app->state) ? FEED_TRUTH : FEED_REFERENCE;
 }

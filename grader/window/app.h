@@ -54,6 +54,9 @@ bool app_tick(App *app, int width, int height);
 // Makes all feeds build and start again.
 void app_renew(App *app);
 
+// The lab's title: its own or, until it can tell, the rubric's.
+const char *app_title(const App *app);
+
 // The feed whose picture is "the other one" now.
 FeedKind app_other(const App *app);
 
