@@ -140,7 +140,7 @@ static void draw_row(LabResult *result, Row *row, const Painter *painter, Exam *
     row->contender.context = exam->roster->context;
     memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
     grade_begin(result, exam->rubric);
-    grade_frames(result, exam, &row->contender, NULL);
+    grade_frames(result, exam, &row->contender, false);
 }
 
 // Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from
