@@ -16,22 +16,28 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 LIBS = $(shell pkg-config --libs $(PACKAGES)) -lm -ldl
 
 # Those that are there: the student's kit does without some.
-TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record bench_frames bench_truth)))
+TOOLS := $(patsubst grader/%.c,%,$(wildcard $(patsubst %,grader/%.c,grade frame skeletons prove record scenes bench_frames bench_truth truth_worker \
+	stability chart)))
 WORKER := $(patsubst %,$(BUILD)/grader/%.o,worker host stage_view primitives_view capture)
+SERVERS := $(BUILD)/grader/transfer.o # of every program that answers requests
 GRADER := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(WORKER:$(BUILD)/%.o=%.c) $(TOOLS:%=grader/%.c),\
 	$(wildcard grader/*.c grader/class/*.c grader/report/*.c)))
 # The ray-traced truth and the only user of Embree; what stands on it: its benchmark and its tests.
 TRUTH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/truth/*.c))
-ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth test_truth test_truth_occlusion test_truth_lab)
+ON_TRUTH := $(patsubst %,$(BUILD)/%,bench_truth truth_worker stability chart test_truth test_truth_occlusion test_truth_lab test_study)
 # The jail: the keeper's side belongs to the grader; the programs of inside/ stand alone. The shim is static where the
 # system has the archives, so that a process inside begins sooner.
 JAIL := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/*.c))
 INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
 STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-static)
 GRADER += $(JAIL)
+# The window, the only user of GLFW and stb; the truth is one of its views where Embree is there.
+WINDOW := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/window/*.c))
+VIEW := $(if $(shell pkg-config --exists glfw3 && echo yes),$(BUILD)/view) $(if $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew)),$(BUILD)/truth_worker)
 # The study: labs measured against the truth.
 STUDY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/study/*.c))
-ON_STUDY := $(patsubst %,$(BUILD)/%,test_truth_lab)
+ON_STUDY := $(patsubst %,$(BUILD)/%,stability chart test_truth_lab test_study)
+STABILITY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/stability/*.c))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
@@ -42,7 +48,7 @@ TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c
 # The watch: a program of several files.
 WATCH := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/watch/*.c))
 
-build: $(BUILD)/worker $(BUILD)/watch $(INSIDE) $(filter-out $(BUILD)/bench_truth,$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
+build: $(BUILD)/worker $(BUILD)/watch $(VIEW) $(INSIDE) $(filter-out $(ON_TRUTH),$(TOOLS:%=$(BUILD)/%)) ## build everything (default)
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
 	$(BUILD)/grade $(if $(LAB),--lab $(LAB)) $(if $(filter labs,$(SUBMISSION)),--record) $(ARGS) $(SUBMISSION)
@@ -57,11 +63,22 @@ demo: build ## grade the labs as shipped, then the solutions
 	$(BUILD)/grade labs || true
 	$(BUILD)/grade solutions
 
+run: build $(BUILD)/view ## open a lab in a window: make run LAB=05 [ARGS="--seed 2"]
+	$(BUILD)/view $(if $(LAB),--lab $(LAB)) $(if $(filter-out labs,$(SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
+
 hint: ## show the hints of a task: make hint TASK=3.2
 	@grader/hint $(TASK)
 
 trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame debugger: make trace LAB=03 [TOOL=renderdoc] [SCENE="far floor"]
 	@TOOL="$(TOOL)" SCENE="$(SCENE)" grader/trace $(LAB)
+
+site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: build/site/index.html (needs common/setup --check)
+	@command -v cmark-gfm >/dev/null || { echo "cmark-gfm is missing; it comes with: common/setup --check" >&2; exit 1; }
+	@node grader/site/build.mjs $(BUILD)/site
+
+%/node_modules/.package-lock.json: %/package.json
+	@command -v npm >/dev/null || { echo "npm is missing; it comes with: common/setup --check" >&2; exit 1; }
+	cd $* && npm install --no-package-lock --no-audit --no-fund --loglevel=error && touch node_modules/.package-lock.json
 
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
@@ -69,10 +86,10 @@ skeletons: build ## make labs/ from solutions/
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@grader/pictures $(LAB)
 
-table: build ## prove the rubrics and put the table into grader/README.md
+table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@grader/table
 
-test: build $(TESTS) $(BUILD)/without $(BUILD)/hostile ## run all tests
+test: build $(BUILD)/stability $(BUILD)/chart $(TESTS) $(BUILD)/without $(BUILD)/hostile ## run all tests
 	@grader/tests/run $(BUILD)
 
 test-hostile: build $(BUILD)/without $(BUILD)/hostile ## attacks on the grader, by both routes into the jail (part of test)
@@ -85,12 +102,20 @@ sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of r
 check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
 	@grader/gates $(BUILD)
 
+stability: build $(BUILD)/stability ## where each method breaks: all rows, and build/study/stability.html
+	@$(BUILD)/stability $(ARGS)
+
 bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
 	@grader/bench $(BUILD)
 
-.PHONY: bench-class
 bench-class: build ## labs a minute of a class run, cold and known shaders, and how it grows: ARGS="--labs 05 --counts 50,800"
 	@grader/bench_class $(BUILD) $(ARGS)
+
+study: build $(BUILD)/chart ## chart speed against error: make study [LAB=05 [SUBMISSION=labs]] [ARGS=--quick]
+	$(BUILD)/chart $(if $(LAB),--lab $(LAB)) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
+
+chart: build $(BUILD)/chart ## measure the study anew and put its chart and its findings into README.md
+	@grader/study/publish $(BUILD)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
@@ -128,21 +153,25 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(ON_TRUTH): $(TRUTH)
 $(ON_STUDY): $(STUDY)
+$(BUILD)/stability: $(STABILITY)
+$(BUILD)/test_curve: $(BUILD)/grader/stability/curve.o
 $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
 $(BUILD)/grader/score.o: CFLAGS += -O3 # the vectors halve what a picture costs
-$(BUILD)/worker: $(WORKER) $(COMMON) $(GLAD) $(BUILD)/include/given.h.gch
+$(BUILD)/test_view: $(patsubst %,$(BUILD)/grader/window/%.o,compose knob_step orbit place state watch)
+$(BUILD)/worker: $(WORKER) $(SERVERS) $(COMMON) $(GLAD) $(BUILD)/include/given.h.gch
 	$(CC) $(SANITIZE) -rdynamic -o $@ $(filter %.o,$^) $(LIBS)
 inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))
-$(INSIDE): SANITIZE :=
+$(INSIDE): override SANITIZE :=
 $(BUILD)/jail_shim: $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $^ -lseccomp
 # A shim weakened on purpose, for the tests of the self-test.
 WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
-$(WEAK): SANITIZE :=
+$(WEAK): override SANITIZE :=
 $(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/weak_%.o $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $(filter-out %/shim_$*.o,$^) -lseccomp
+$(BUILD)/without: override SANITIZE :=
 $(BUILD)/without: $(BUILD)/grader/tests/without.o
 	$(CC) -o $@ $^ -lseccomp
 $(BUILD)/hostile: $(BUILD)/grader/tests/hostile.o $(GRADER) $(NO_GL)
@@ -154,12 +183,15 @@ $(BUILD)/jail_unpack: $(call inside,unpack)
 	$(CC) -o $@ $^ -larchive
 $(TOOLS:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/grader/%.o $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
+$(WINDOW): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
+$(BUILD)/view: $(WINDOW) $(GRADER) $(COMMON) $(GLAD)
+	$(CC) $(SANITIZE) -pthread -o $@ $^ $(LIBS) $(shell pkg-config --libs glfw3)
 $(BUILD)/watch: $(WATCH) $(GRADER) $(NO_GL)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/%.o $(BUILD)/grader/tests/witness.o $(GRADER) $(NO_GL)
 	@mkdir -p $(@D)
 	$(CC) $(SANITIZE) -o $@ $^ $(LIBS) -lcmocka
 
-.PHONY: test-hostile kit gradescope sanitize build grade watch progress trace demo hint skeletons pictures table test check bench compile_commands.json reset clean help
+.PHONY: test-hostile kit gradescope sanitize build grade run watch progress trace site demo hint skeletons pictures table test check stability bench bench-class study chart compile_commands.json reset clean help
 .SECONDARY:
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -9,3 +9,7 @@
 // u_world_from_object. The vertices are those of model.h. The meshes are made at the first call and
 // live as long as the context.
 void casters_draw(const Frame *frame, const Program *program);
+
+// Makes the volumes of light 0 on the CPU (silhouette.h) and draws them as GL_TRIANGLES with the program that
+// draw_begin has made ready; its vertex shader is volume.vert.
+void casters_draw_volumes(const Frame *frame);

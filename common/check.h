@@ -4,8 +4,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-// Keeps the first message since check_clear (later ones are mostly its consequences). Always returns false,
-// so that a caller writes `return check_fail(...)`. The message should name file, line and remedy.
+// Keeps the thread's first message since check_clear (later ones are mostly its consequences). Always returns
+// false, so that a caller writes `return check_fail(...)`. The message should name file, line and remedy.
 bool check_fail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 // The message kept, "" when there is none. Valid until the next call of this module.

@@ -3,6 +3,7 @@
 #include "check.h"
 #include "shader_source.h"
 
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -58,6 +59,18 @@ void program_destroy(Program *program) {
     *program = (Program){0};
 }
 
+// Does the word stand in the text, not only as a part of longer words?
+static bool has_word(const char *text, const char *word) {
+    const size_t length = strlen(word);
+    for (const char *at = strstr(text, word); at; at = strstr(at + 1, word)) {
+        const char before = at > text ? at[-1] : ' ', after = at[length];
+        if (!isalnum((unsigned char)before) && before != '_' && !isalnum((unsigned char)after) &&
+            after != '_')
+            return true;
+    }
+    return false;
+}
+
 // Does the name up to its first '[' or '.' stand in the text of a shader?
 static bool stands_in(GLuint shader, const char *name) {
     GLint length = 0;
@@ -69,7 +82,7 @@ static bool stands_in(GLuint shader, const char *name) {
     strncpy(word, name, sizeof word - 1);
     word[sizeof word - 1] = '\0';
     word[strcspn(word, "[.")] = '\0';
-    bool found = strstr(text, word) != NULL;
+    bool found = has_word(text, word);
     free(text);
     return found;
 }

@@ -62,12 +62,16 @@ void part_begin(Scene *scene, Random *random) {
     scene->second_camera = scene->camera;
 }
 
+void part_box(Scene *scene, float half_height, Random *random) {
+    part_object(scene, SHAPE_BOX,
+                vec3_make(random_range(random, -1.6f, -0.9f), half_height, random_range(random, -0.6f, 0.6f)),
+                vec3_make(random_range(random, 0.4f, 0.6f), half_height, random_range(random, 0.4f, 0.6f)),
+                random_range(random, 10, 80), part_color(random));
+}
+
 void part_casters(Scene *scene, Random *random) {
     float h = random_range(random, 0.5f, 0.8f), r = random_range(random, 0.45f, 0.65f);
-    part_object(scene, SHAPE_BOX,
-                vec3_make(random_range(random, -1.6f, -0.9f), h, random_range(random, -0.6f, 0.6f)),
-                vec3_make(random_range(random, 0.4f, 0.6f), h, random_range(random, 0.4f, 0.6f)),
-                random_range(random, 10, 80), part_color(random));
+    part_box(scene, h, random);
     part_object(scene, SHAPE_SPHERE,
                 vec3_make(random_range(random, 0.7f, 1.4f), r + random_range(random, 0.2f, 0.6f),
                           random_range(random, -0.6f, 0.6f)),

@@ -39,5 +39,8 @@ Light *part_light(Scene *scene, LightKind kind, vec3s position, vec3s target);
 // shadows fall towards it. Elevations in degrees.
 vec3s part_above(Random *random, float lowest, float highest, float distance);
 
+// A box on the floor, left of the middle.
+void part_box(Scene *scene, float half_height, Random *random);
+
 // A box on the floor and a sphere above it, a little apart.
 void part_casters(Scene *scene, Random *random);

@@ -48,15 +48,16 @@ static void make_edge(Scene *scene, Random *random) {
     scene->camera.target = on_floor(light, glms_mat4_mulv3(box->world_from_object, edge, 1));
 }
 
-// Small spheres above the floor and a thin post on it: their shadows are narrower than the disc.
+// Small boxes above the floor and a thin post on it: their shadows are narrower than the disc.
 static void add_pebbles(Scene *scene, Random *random, float side) {
     for (int i = 0; i < 6; i++) {
         int row = i / 2;
-        float r = random_range(random, 0.16f, 0.24f);
+        float r = random_range(random, 0.1f, 0.16f);
         float x = 0.4f + 1.1f * (float)(i % 2), z = 1.3f * (float)row - 1.2f;
         vec3s center = vec3_make(side * (x + random_range(random, -0.15f, 0.15f)),
                                  random_range(random, 0.5f, 1.1f), z + random_range(random, -0.2f, 0.2f));
-        part_object(scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0, part_color(random));
+        part_object(scene, SHAPE_BOX, center, vec3_make(r, r, r), random_range(random, 0, 90),
+                    part_color(random));
     }
     part_object(scene, SHAPE_BOX, vec3_make(2.5f * side, 0.8f, random_range(random, -1, 1)),
                 vec3_make(0.06f, 0.8f, 0.06f), 45, part_color(random));

@@ -63,7 +63,7 @@ static void make_wide_floor(Scene *scene, Random *random) {
 static void make_far_floor(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 4, random);
-    part_casters(scene, random);
+    part_box(scene, random_range(random, 0.5f, 0.8f), random);
     bool spot = random_int(random, 0, 1) == 1;
     part_light(scene, spot ? LIGHT_SPOT : LIGHT_DIRECTIONAL, part_above(random, 35, 45, 10),
                vec3_make(0, 0, 0));
@@ -78,8 +78,6 @@ static void make_behind(Scene *scene, Random *random) {
     float side = random_int(random, 0, 1) ? 1 : -1;
     float height = random_range(random, 0.9f, 1.2f);
     vec3s lamp = vec3_make(side * random_range(random, 0, 0.4f), height, random_range(random, -0.3f, 0.3f));
-    part_object(scene, SHAPE_BOX, vec3_make(lamp.x + side * 2, 1.2f, lamp.z), vec3_make(0.2f, 1.2f, 0.9f),
-                side * random_range(random, 5, 25), part_color(random));
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(lamp.x + side * 2, height - 0.1f, lamp.z));
     scene->lights[0].fov_y = glm_rad(90);
     scene->lights[0].near_plane = 0.2f;

@@ -59,7 +59,7 @@ static void make_towers(Scene *scene, Random *random) {
 static void make_eye_inside(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 6, random);
-    part_casters(scene, random);
+    part_box(scene, random_range(random, 0.5f, 0.8f), random);
     vec3s eye = scene->camera.eye, view = glms_vec3_normalize(glms_vec3_sub(scene->camera.target, eye));
     vec3s right = glms_vec3_normalize(glms_vec3_cross(view, vec3_make(0, 1, 0)));
     vec3s lamp = glms_vec3_sub(eye, glms_vec3_scale(view, random_range(random, 3, 4)));
@@ -75,11 +75,10 @@ static void make_eye_inside(Scene *scene, Random *random) {
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
 }
 
-// A lamp on the floor: the volumes go up, half into an open sky, half onto a wall (one-sided, so that it
+// A lamp below its casters: the volumes go up, half into an open sky, half onto a wall (one-sided, so that it
 // casts none). The eye stands in the volume of a plate near the lamp.
 static void make_into_sky(Scene *scene, Random *random) {
     part_begin(scene, random);
-    part_floor(scene, 5, random);
     scene->camera.eye =
         part_orbit(vec3_make(0, 1.5f, 0), random_range(random, -35, 35), random_range(random, 3, 8), 9);
     scene->camera.target = vec3_make(0, 2.2f, 0);
@@ -88,7 +87,7 @@ static void make_into_sky(Scene *scene, Random *random) {
     lamp.y = 0.1f;
     for (int i = 0; i < 4; i++) {
         float r = random_range(random, 0.35f, 0.5f);
-        part_object(scene, i % 2 ? SHAPE_SPHERE : SHAPE_BOX,
+        part_object(scene, SHAPE_BOX,
                     vec3_make(-1.8f + 1.2f * (float)i, random_range(random, 0.5f, 1.6f),
                               random_range(random, -0.5f, 0.5f)),
                     vec3_make(r, r, r), random_range(random, 0, 90), part_color(random));

@@ -2,6 +2,7 @@
 
 #include "check.h"
 #include "compile.h"
+#include "description.h"
 #include "home.h"
 
 #include <signal.h>
@@ -23,7 +24,7 @@ static double wall_seconds(const Client *client) {
 
 bool client_start(Client *client) {
     char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
-    jail_part(client->jail, "worker", worker);
+    jail_part(client->jail, client->program ? client->program : "worker", worker);
     jail_part(client->jail, "shaders", shaders);
     home_build_path(cache, "cache/shaders");
     snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
@@ -31,15 +32,20 @@ bool client_start(Client *client) {
     char *arguments[] = {worker, (char *)context_name(client->context), client->folder, shaders, NULL};
     char *environment[] = {"LP_NUM_THREADS=0",
                            "LIBGL_ALWAYS_SOFTWARE=1",
-                           "ASAN_OPTIONS=detect_leaks=0",
+                           "ASAN_OPTIONS=detect_leaks=0:disable_coredump=0",
                            "MALLOC_MMAP_THRESHOLD_=1000000000",
                            "MALLOC_TRIM_THRESHOLD_=1000000000",
                            "LC_ALL=C",
                            ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true",
+                           client->quick_shaders ? "GALLIVM_PERF=nopt" : NULL,
                            NULL};
     JailPlan plan = {
         .kind = JAIL_DRAW, .limits = {.wall_seconds = 3600}, .folder = ours ? "/" : client->folder};
-    if (!ours)
+    if (client->each_turn)
+        plan.limits = (ProcessLimits){.wall_seconds = client->seconds,
+                                      .memory_mib = !ours && limits_memory ? MEMORY_MIB : 0,
+                                      .file_mib = ours ? 0 : 1};
+    else if (!ours)
         plan.limits = (ProcessLimits){.wall_seconds = wall_seconds(client),
                                       .cpu_seconds = (unsigned)client->seconds + 1,
                                       .memory_mib = limits_memory ? MEMORY_MIB : 0,
@@ -86,16 +92,13 @@ static void clean_reply(Reply *reply) {
             reply->milliseconds[i] = 0;
 }
 
-DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply) {
+// The reply and exactly `size` bytes of payload; zeroes when they do not come.
+static DrawResult exchange(Client *client, const Request *request, void *payload, size_t size, Reply *reply) {
     memset(reply, 0, sizeof *reply);
-    if (image->width != request->width || image->height != request->height) {
-        image_destroy(image);
-        INVARIANT(image_create(image, request->width, request->height));
-    }
     Process *process = &client->process;
     bool ok = (client->started || client_start(client)) &&
               process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
-              process_exchange(process, NULL, 0, image->rgba, image_bytes(image));
+              process_exchange(process, NULL, 0, payload, size);
     clean_reply(reply);
     DrawResult result = reply->drawn ? DRAW_OK : DRAW_FAILED;
     if (ok && reply->magic != PROTOCOL_MAGIC) {
@@ -103,7 +106,7 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
                  "it wrote something else than a frame to descriptor 3");
         result = DRAW_LOST;
     } else if (!ok) {
-        memset(image->rgba, 0, image_bytes(image));
+        memset(payload, 0, size);
         result = explain_end(client, reply->message, sizeof reply->message);
     }
     if (reply->message[0])
@@ -112,8 +115,26 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
     return result;
 }
 
+DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply) {
+    if (image->width != request->width || image->height != request->height) {
+        image_destroy(image);
+        INVARIANT(image_create(image, request->width, request->height));
+    }
+    return exchange(client, request, image->rgba, image_bytes(image), reply);
+}
+
+DrawResult client_describe(Client *client, const Request *request, Description *description, Reply *reply) {
+    Request asked = *request;
+    asked.describe = 1;
+    DrawResult result = exchange(client, &asked, description, sizeof *description, reply);
+    if (result != DRAW_OK)
+        memset(description, 0, sizeof *description);
+    description_clean(description);
+    return result;
+}
+
 void client_begin(Client *client) {
-    if (client->started && client->trust == TRUST_NOBODY)
+    if (client->started && (client->trust == TRUST_NOBODY || client->each_turn))
         client->process.deadline = process_now() + wall_seconds(client);
 }
 

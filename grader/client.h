@@ -20,8 +20,11 @@ typedef struct Client {
     Trust trust;
     const Jail *jail; // for a submission; NULL: its own author grades it, outside
     ContextKind context;
-    double seconds;  // processor time that a submission may use
-    double patience; // wall time that it may use, in units of that; 0: 1
+    const char *program; // beside ours, that speaks protocol.h; NULL: the worker
+    bool quick_shaders;  // compiled sooner and worse: for frames that are few and small; the same pixels
+    double seconds;      // processor time that a submission may use
+    double patience;     // wall time that it may use, in units of that; 0: 1
+    bool each_turn; // `seconds` is wall time and begins anew with client_begin, whoever draws: for a window
     bool started;
     Process process;
 } Client;
@@ -37,9 +40,12 @@ typedef enum DrawResult {
 // at the size of the request when it has another one. A worker of several labs looks at request->folder.
 DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply);
 
+// The lab's table, made safe (see Description); all zero unless the result is DRAW_OK.
+DrawResult client_describe(Client *client, const Request *request, Description *description, Reply *reply);
+
 // Starts the worker without waiting for it, so that several start side by side. False: no process can be
 // started.
 bool client_start(Client *client);
-// The wall time of a running worker begins anew: what has passed was spent by us.
+// The wall time of a running worker begins anew: what has passed was spent by us, or on earlier turns.
 void client_begin(Client *client);
 void client_stop(Client *client); // accepts a zeroed client

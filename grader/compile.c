@@ -68,7 +68,7 @@ static bool take_library(const char *folder, const char *out) {
 }
 
 bool compile_lab(const char *folder, const Jail *jail, char log[COMPILE_LOG]) {
-    static Process process;
+    static _Thread_local Process process;
     char out[FILES_PATH];
     files_join(out, folder, "out");
     if (jail && !files_make_folder(out))
@@ -86,7 +86,7 @@ bool compile_lab(const char *folder, const Jail *jail, char log[COMPILE_LOG]) {
 }
 
 static bool locate_one(const char *folder, const Jail *jail, const char *offset, char *place, size_t size) {
-    static Process process;
+    static _Thread_local Process process;
     char *arguments[] = {"addr2line", "-s", "-e", "lab.so", (char *)offset, NULL};
     if (!run_tool(&process, arguments, folder, NULL, jail) || process.text[0] == '?')
         return false;

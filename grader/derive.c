@@ -1,6 +1,7 @@
 #include "derive.h"
 
 #include "check.h"
+#include "hash.h"
 #include "home.h"
 
 #include <stdint.h>
@@ -52,23 +53,16 @@ static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
     return true;
 }
 
-// FNV-1a (Fowler, Noll, Vo), 64 bits.
-static void hash_bytes(uint64_t *hash, const void *bytes, size_t size) {
-    for (size_t i = 0; i < size; i++)
-        *hash = (*hash ^ ((const unsigned char *)bytes)[i]) * 0x100000001b3u;
-}
-
 // The worker stands for common/: it is linked anew when a header or a function there changes.
 static uint64_t hash_texts(const Texts *texts, const Rubric *rubric) {
-    uint64_t hash = 0xcbf29ce484222325u;
     char worker[FILES_PATH];
     struct stat info = {0};
     home_build_path(worker, "worker");
     stat(worker, &info);
-    hash_bytes(&hash, &info.st_mtim, sizeof info.st_mtim);
-    hash_bytes(&hash, rubric->id, sizeof rubric->id);
+    uint64_t hash = hash_bytes(HASH_START, &info.st_mtim, sizeof info.st_mtim);
+    hash = hash_bytes(hash, rubric->id, sizeof rubric->id);
     for (int i = 0; i < rubric->file_count; i++)
-        hash_bytes(&hash, texts->of[i], strlen(texts->of[i]) + 1);
+        hash = hash_bytes(hash, texts->of[i], strlen(texts->of[i]) + 1);
     return hash;
 }
 
@@ -112,8 +106,22 @@ bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, c
     return ok;
 }
 
-bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
-                       char log[COMPILE_LOG]) {
+// Takes lab.so from an earlier folder; false when lab.c is not the same there.
+static bool take_library(const char *folder, const char *earlier) {
+    char path[FILES_PATH], old_path[FILES_PATH];
+    files_join(path, folder, "lab.c");
+    files_join(old_path, earlier, "lab.c");
+    char *text = files_read(path, DERIVE_MAX_FILE), *old = files_read(old_path, DERIVE_MAX_FILE);
+    bool same = text && old && strcmp(text, old) == 0;
+    free(text);
+    free(old);
+    files_join(path, folder, "lab.so");
+    files_join(old_path, earlier, "lab.so");
+    return same && link(old_path, path) == 0;
+}
+
+bool derive_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
+                  const Jail *jail, char log[COMPILE_LOG]) {
     Texts texts = {0};
     bool ok = true;
     log[0] = '\0';
@@ -122,7 +130,13 @@ bool derive_submission(const char *folder, const Rubric *rubric, const char *sub
         ok = texts.of[i] && replace_text(&texts.of[i], source_select(rubric->files[i], texts.of[i],
                                                                      (Solved){SOLVED_ALL, NULL}, true));
     }
-    ok = ok && write_texts(folder, rubric, &texts) && compile_lab(folder, jail, log);
+    ok = ok && write_texts(folder, rubric, &texts) &&
+         ((earlier && take_library(folder, earlier)) || compile_lab(folder, jail, log));
     free_texts(&texts);
     return ok;
+}
+
+bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
+                       char log[COMPILE_LOG]) {
+    return derive_again(folder, NULL, rubric, submission, jail, log);
 }

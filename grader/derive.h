@@ -18,4 +18,9 @@ bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, c
 bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                        char log[COMPILE_LOG]);
 
+// The same, but lab.so is taken from `earlier` (NULL: none), a folder that was made so before, when lab.c has
+// not changed since: a change of a shader needs no compiler of C.
+bool derive_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
+                  const Jail *jail, char log[COMPILE_LOG]);
+
 enum { DERIVE_MAX_FILE = 1 << 18 };

@@ -45,8 +45,7 @@ static bool trivial_scores(const Variant *variant) {
     return found;
 }
 
-// Is the variant worth asking? See exam.h.
-static bool acceptable(const Variant *variants, int n) {
+bool exam_acceptable(const Variant *variants, int n) {
     const Variant *variant = &variants[n];
     if (score_mask(&variant->reference, &variant->without) < MIN_MASK ||
         score_mask(&variant->reference, &variant->skeleton) < MIN_MASK || trivial_scores(variant))
@@ -101,7 +100,7 @@ static bool create_check(Exam *exam, int c, const Painters *painters) {
         Variant *variant = &exam->variants[c][n];
         exam->tries[c][n] = try;
         ok = draw_request(&draw, &variant->request, check) && draw_variant(variant, painters, exam->renderer);
-        n += ok && acceptable(exam->variants[c], n);
+        n += ok && exam_acceptable(exam->variants[c], n);
     }
     if (ok && n < check->variants)
         return check_fail(

@@ -33,9 +33,12 @@ typedef struct Exam {
     LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
 } Exam;
 
-// Draws the variants. A variant is taken only when the task and the whole lab each change at least 1 % of its
-// pixels and nothing cheap scores in it: black, the mean colour and the references of the check's other
-// variants all get 0. The roster must outlive the exam.
+// Is variants[n], drawn, worth asking beside those before it? The task and the whole lab must each change at
+// least 1 % of its pixels, and nothing cheap scores in it: black, the mean colour and the references of the
+// other variants all get 0.
+bool exam_acceptable(const Variant *variants, int n);
+
+// Draws the variants, all of them acceptable. The roster must outlive the exam.
 bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed);
 void exam_destroy(Exam *exam); // accepts a zeroed exam
 

@@ -3,6 +3,7 @@
 #include "derive.h"
 #include "exam.h"
 #include "home.h"
+#include "request_options.h"
 
 #include <errno.h>
 #include <getopt.h>
@@ -33,24 +34,6 @@ typedef struct Options {
     ContextKind context;
 } Options;
 
-static bool take_knob(Request *request, const char *text) {
-    const char *equals = strchr(text, '=');
-    if (!equals || request->knob_count == LAB_MAX_KNOBS)
-        return check_fail("--knob takes NAME=VALUE, not \"%s\"", text);
-    KnobSetting *knob = &request->knobs[request->knob_count++];
-    snprintf(knob->name, sizeof knob->name, "%.*s", (int)(equals - text), text);
-    knob->value = strtof(equals + 1, NULL);
-    return true;
-}
-
-static bool take_size(Request *request, const char *text) {
-    int used = 0;
-    bool ok = sscanf(text, "%dx%d%n", &request->width, &request->height, &used) == 2 && text[used] == '\0' &&
-              request->width > 0 && request->height > 0 && request->width <= PROTOCOL_MAX_SIZE &&
-              request->height <= PROTOCOL_MAX_SIZE;
-    return ok || check_fail("--size takes WIDTHxHEIGHT up to %d, not \"%s\"", PROTOCOL_MAX_SIZE, text);
-}
-
 static bool take_option(Options *options, int option, char *value) {
     switch (option) {
     case 'l':
@@ -66,9 +49,9 @@ static bool take_option(Options *options, int option, char *value) {
         options->seed = strtoull(value, NULL, 10);
         return true;
     case 'z':
-        return take_size(&options->request, value);
+        return request_take_size(&options->request, value);
     case 'k':
-        return take_knob(&options->request, value);
+        return request_take_knob(&options->request, value);
     case 'e':
         options->solved = (Solved){SOLVED_NONE, NULL};
         return true;

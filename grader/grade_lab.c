@@ -69,13 +69,6 @@ typedef struct Ratios {
     int count;
 } Ratios;
 
-static bool has_bad_pixels(const Image *image) {
-    for (size_t at = 3; at < image_bytes(image); at += 4)
-        if (image->rgba[at] == 0)
-            return true;
-    return false;
-}
-
 // Draws one frame of the student's; false when no more frames will come.
 static bool draw_one(LabResult *result, Client *student, const Variant *variant, Image *yours,
                      float *milliseconds) {
@@ -84,11 +77,8 @@ static bool draw_one(LabResult *result, Client *student, const Variant *variant,
     if (drawn == DRAW_OK) {
         if (reply.message[0])
             add_warning(result, reply.message);
-        if (has_bad_pixels(yours))
-            add_warning(
-                result,
-                "some pixels are not finite numbers (NaN or infinity): is there a division by zero, a "
-                "pow of a negative number or a normalize of a zero vector in a shader?");
+        if (score_not_finite(yours))
+            add_warning(result, score_not_finite(yours));
         *milliseconds = exam_milliseconds(&reply);
         return true;
     }
@@ -193,6 +183,21 @@ static bool take_submission(LabResult *result, Client *student, const Rubric *ru
     return ok;
 }
 
+// What the lab prints, for who debugs in this way; the first lines are enough.
+static void note_output(LabResult *result, const char *printed) {
+    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
+    char text[MAX_TEXT + 64] = "it printed:";
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+        end += strcspn(end, "\n");
+        end += *end == '\n';
+    }
+    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
+    if (printed[0])
+        add_warning(result, text);
+}
+
 static bool examine(LabResult *result, Examiner *examiner, Client *student, const GradeOptions *options) {
     client_start(student);
     Exam *exam = examiner_exam(examiner, options);
@@ -200,6 +205,7 @@ static bool examine(LabResult *result, Examiner *examiner, Client *student, cons
         return false;
     client_begin(student);
     grade_frames(result, exam, student, exam->roster && !options->untimed);
+    note_output(result, student->process.text);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 
@@ -208,6 +214,7 @@ bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, co
     student = (Client){.trust = TRUST_NOBODY,
                        .jail = options->jail,
                        .context = options->context,
+                       .quick_shaders = true,
                        .seconds = options->seconds,
                        .patience = options->patience};
     grade_begin(result, &examiner->rubric);

@@ -200,6 +200,29 @@ bool host_draw(HostedLab *hosted, const StageView *view, const Request *request,
     return show_view(hosted, view, request, &frame, pixels);
 }
 
+static void describe_knob(struct KnobText *text, const Knob *knob) {
+    snprintf(text->name, sizeof text->name, "%s", knob->name);
+    snprintf(text->unit, sizeof text->unit, "%s", knob->unit ? knob->unit : "");
+    text->low = knob->low;
+    text->high = knob->high;
+    text->value = knob->value;
+}
+
+bool host_describe(const HostedLab *hosted, Description *description) {
+    const Lab *lab = hosted->lab;
+    memset(description, 0, sizeof *description);
+    if (!lab)
+        return check_fail("%s", hosted->failure);
+    snprintf(description->title, sizeof description->title, "%s", lab->title ? lab->title : "");
+    for (int i = 0; i < LAB_MAX_KNOBS && lab->knobs[i].name; i++)
+        describe_knob(&description->knobs[description->knob_count++], &lab->knobs[i]);
+    for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++)
+        snprintf(description->passes[description->pass_count++], LAB_MAX_NAME, "%s", lab->passes[i].name);
+    for (int i = 0; i < LAB_MAX_STAGES && lab->stages[i].name; i++)
+        snprintf(description->stages[description->stage_count++], LAB_MAX_NAME, "%s", lab->stages[i].name);
+    return true;
+}
+
 const char *host_running(void) {
     return running;
 }

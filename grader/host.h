@@ -26,6 +26,9 @@ HostedLab *host_find(const char *folder, const char *shader_folder);
 bool host_draw(HostedLab *hosted, const StageView *view, const Request *request, float *milliseconds,
                uint8_t *pixels);
 
+// Writes the lab's table; false with a message when there is none.
+bool host_describe(const HostedLab *hosted, Description *description);
+
 // The pass (or "create") that runs just now, for a report of a crash; NULL between frames.
 const char *host_running(void);
 

@@ -5,6 +5,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <grp.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -134,9 +135,14 @@ static void close_end(int *descriptor) {
 
 // Waits until something can be done. False when the time is over.
 static bool wait_for_event(Process *process, struct pollfd *events) {
-    double left = process->deadline - process_now();
-    if (left <= 0 || poll(events, 3, (int)(left * 1000) + 1) == 0)
-        process->state = PROCESS_TIMED_OUT;
+    int ready = 0;
+    while (ready == 0 && process->state == PROCESS_RUNNING) {
+        double left = process->deadline - process_now();
+        if (left <= 0 || process->cancelled)
+            process->state = PROCESS_TIMED_OUT;
+        else
+            ready = poll(events, 3, (int)(fmin(left, PROCESS_SLICE) * 1000) + 1);
+    }
     return process->state == PROCESS_RUNNING;
 }
 

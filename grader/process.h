@@ -2,9 +2,12 @@
 // long.
 #pragma once
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <sys/types.h>
+
+#define PROCESS_SLICE 0.1
 
 enum { PROCESS_OUTPUT = 64 * 1024, PROCESS_FLOOD = 4 * 1024 * 1024 };
 
@@ -26,6 +29,7 @@ typedef struct Process {
     pid_t pid;
     int input, replies, output; // our ends: its descriptor 0, its 3, and its 1 and 2 together; -1 when closed
     double deadline;            // seconds of the monotonic clock
+    atomic_bool cancelled;      // set by another thread: the time is over within PROCESS_SLICE seconds
     ProcessState state;
     bool wrapped;              // it is another program that tells a death by signal N as exit status 128 + N
     int status;                // as waitpid gives it, once the process was reaped

@@ -1,6 +1,6 @@
 // What a client and the worker say to each other, through two pipes on one machine: for each Request one
 // Reply, followed by exactly width * height * 4 bytes of RGBA pixels (top row first), also when the lab
-// failed.
+// failed; or, when the request asks for it, by a Description.
 #pragma once
 
 #include "lab.h"
@@ -13,13 +13,15 @@ enum {
     PROTOCOL_REPLIES = 3,
     PROTOCOL_MAX_SIZE = 4096, // width and height
     PROTOCOL_TEXT = 5000,
-    PROTOCOL_PATH = 1024
+    PROTOCOL_PATH = 1024,
+    PROTOCOL_LINE = 128
 };
 
 // Views that are not a stage of the lab.
 #define VIEW_PICTURE "picture"       // the frame as its viewer sees it
 #define VIEW_VISIBILITY "visibility" // lit white, shadow black, whatever the colours
 #define VIEW_PRIMITIVES "primitives" // drawn by the worker, not by the lab: see primitives_view.h
+#define VIEW_OCCLUSION "occlusion"   // of truth_worker alone: the sky, as far as the knob "ray length" says
 
 typedef struct KnobSetting {
     char name[LAB_MAX_NAME];
@@ -31,6 +33,7 @@ typedef struct Request {
     int32_t width, height;
     int32_t
         fresh; // 1: the lab makes its resources anew, so that the frame does not depend on those before it
+    int32_t describe; // 1: a Description instead of a frame; what follows but `folder` does not matter
     char folder[PROTOCOL_PATH]; // of the lab, for a worker that was not given one
     char view[LAB_MAX_NAME];    // a view above or the name of a stage
     KnobSetting knobs[LAB_MAX_KNOBS];
@@ -45,3 +48,16 @@ typedef struct Reply {
     char message[PROTOCOL_TEXT]; // why it was not drawn, or the first GL error or check_fail of the frame
     char renderer[128];          // "GL_VERSION / GL_RENDERER"
 } Reply;
+
+// The lab's table, for clients that do not know the lab. What a submission's worker sends is untrusted:
+// client_describe returns it with texts of printable ASCII, counts within the arrays and finite, ordered
+// ranges.
+typedef struct Description {
+    char title[PROTOCOL_LINE];
+    struct KnobText {
+        char name[LAB_MAX_NAME], unit[PROTOCOL_LINE];
+        float low, high, value; // value: the default
+    } knobs[LAB_MAX_KNOBS];
+    char passes[LAB_MAX_PASSES][LAB_MAX_NAME], stages[LAB_MAX_STAGES][LAB_MAX_NAME];
+    int32_t knob_count, pass_count, stage_count;
+} Description;

@@ -118,7 +118,8 @@ static bool share_frames(LabResult *result, const Row *row, Exam *exam) {
     return true;
 }
 
-// A worker that draws for one lab only and the one that draws for all of ours must show the same.
+// A worker that draws for one lab only and compiles its shaders well, and the one that draws for all of ours
+// must show the same.
 static bool draws_the_same(const LabResult *result, Row *row, Exam *exam) {
     static LabResult shared;
     grade_begin(&shared, exam->rubric);

@@ -122,6 +122,14 @@ size_t score_count(const Image *a, const Image *b) {
     return count;
 }
 
+const char *score_not_finite(const Image *image) {
+    for (size_t at = 3; at < image_bytes(image); at += 4)
+        if (image->rgba[at] == 0)
+            return "some pixels are not finite numbers (NaN or infinity): is there a division by zero, a "
+                   "pow of a negative number or a normalize of a zero vector in a shader?";
+    return NULL;
+}
+
 void score_fill(Image *image, const uint8_t rgb[3]) {
     for (size_t at = 0; at < image_bytes(image); at += 4) {
         memcpy(image->rgba + at, rgb, 3);

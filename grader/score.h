@@ -36,6 +36,9 @@ double score_rmse(const Image *a, const Image *b);
 // Number of pixels that differ by more than the tolerance.
 size_t score_count(const Image *a, const Image *b);
 
+// What to tell of a picture with pixels that are not finite numbers; NULL when all are.
+const char *score_not_finite(const Image *image);
+
 // Fills `image` with one colour.
 void score_fill(Image *image, const uint8_t rgb[3]);
 

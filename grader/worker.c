@@ -8,8 +8,8 @@
 #include "host.h"
 #include "protocol.h"
 #include "shader_source.h"
+#include "transfer.h"
 
-#include <errno.h>
 #include <execinfo.h>
 #include <signal.h>
 #include <stdio.h>
@@ -45,17 +45,6 @@ static void watch_crashes(void) {
         sigaction(signals[i], &action, NULL);
 }
 
-static bool transfer(int descriptor, void *data, size_t size, bool sending) {
-    for (size_t done = 0; done < size;) {
-        char *at = (char *)data + done;
-        ssize_t n = sending ? write(descriptor, at, size - done) : read(descriptor, at, size - done);
-        if (n <= 0 && !(n < 0 && errno == EINTR))
-            return false;
-        done += n > 0 ? (size_t)n : 0;
-    }
-    return true;
-}
-
 static void fill_reply(Reply *reply, bool drawn) {
     reply->magic = PROTOCOL_MAGIC;
     reply->drawn = drawn;
@@ -68,30 +57,33 @@ static void fill_reply(Reply *reply, bool drawn) {
                  (const char *)glGetString(GL_RENDERER));
 }
 
-static bool draw(const Request *request, Reply *reply, uint8_t *pixels) {
+static bool perform(const Request *request, Reply *reply, void *payload) {
     if (!worker.ready)
         return false; // with the message of the start
     bool named = strcmp(worker.lab_folder, "-") == 0;
     check_clear();
     HostedLab *hosted = host_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
-    return hosted ? host_draw(hosted, &worker.stage_view, request, reply->milliseconds, pixels)
-                  : check_fail("too many labs in one worker");
+    if (!hosted)
+        return check_fail("too many labs in one worker");
+    return request->describe ? host_describe(hosted, payload)
+                             : host_draw(hosted, &worker.stage_view, request, reply->milliseconds, payload);
 }
 
 static bool answer(const Request *request) {
     static Reply reply;
-    size_t bytes = (size_t)request->width * (size_t)request->height * 4;
-    uint8_t *pixels = calloc(bytes, 1);
-    if (!pixels)
+    size_t bytes =
+        request->describe ? sizeof(Description) : (size_t)request->width * (size_t)request->height * 4;
+    void *payload = calloc(bytes, 1);
+    if (!payload)
         return false;
     memset(&reply, 0, sizeof reply);
     capture_begin();
-    bool drawn = draw(request, &reply, pixels);
+    bool done = perform(request, &reply, payload);
     capture_end();
-    fill_reply(&reply, drawn);
-    bool sent = transfer(PROTOCOL_REPLIES, &reply, sizeof reply, true) &&
-                transfer(PROTOCOL_REPLIES, pixels, bytes, true);
-    free(pixels);
+    fill_reply(&reply, done);
+    bool sent = transfer_write(PROTOCOL_REPLIES, &reply, sizeof reply) &&
+                transfer_write(PROTOCOL_REPLIES, payload, bytes);
+    free(payload);
     return sent;
 }
 
@@ -108,11 +100,12 @@ int main(int count, char **arguments) {
         return 2;
     }
     watch_crashes();
+    setvbuf(stdout, NULL, _IOLBF, 0); // what a lab prints is seen at once
     worker.lab_folder = arguments[2];
     worker.shader_folder = arguments[3];
     shader_source_folders(".", worker.shader_folder);
     worker.ready = start(arguments[1]);
-    while (transfer(PROTOCOL_REQUESTS, &request, sizeof request, false)) {
+    while (transfer_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
         INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&
                   request.height <= PROTOCOL_MAX_SIZE);
         if (!answer(&request))

@@ -8,7 +8,7 @@
 enum {
     EXTRACT_MAX_ARCHIVE = 64 << 20, // bytes of the archive
     EXTRACT_MAX_FILE = 16 << 20,    // bytes of one file in it
-    EXTRACT_MAX_BYTES = 64 << 20,  // of all
+    EXTRACT_MAX_BYTES = 64 << 20,   // of all
     EXTRACT_MAX_FILES = 4000
 };
 

@@ -1,6 +1,7 @@
 #include "evidence.h"
 
 #include "check.h"
+#include "difference.h"
 #include "files.h"
 #include "score.h"
 
@@ -9,21 +10,6 @@
 #include <string.h>
 
 enum { CROP = 48, ENLARGED = 4 };
-
-// The reference in dim grey; too bright in yellow, too dark in blue, another colour in magenta.
-static void mark_difference(Image *difference, const Image *yours, const Image *reference) {
-    static const uint8_t brighter[3] = {255, 208, 32}, darker[3] = {48, 112, 255}, other[3] = {255, 48, 255};
-    for (size_t at = 0; at < image_bytes(yours); at += 4) {
-        const uint8_t *a = yours->rgba + at, *b = reference->rgba + at;
-        int change = a[0] + a[1] + a[2] - b[0] - b[1] - b[2];
-        uint8_t grey = (uint8_t)(40 + (b[0] + b[1] + b[2]) / 12);
-        uint8_t *to = difference->rgba + at;
-        memset(to, grey, 3);
-        to[3] = 255;
-        if (score_pixel(yours, reference, at) > 0)
-            memcpy(to, change > 6 ? brighter : change < -6 ? darker : other, 3);
-    }
-}
 
 // The upper left corner of the CROP x CROP part with the most wrong pixels.
 static void find_crop(const Image *yours, const Image *reference, int *left, int *top) {
@@ -64,7 +50,7 @@ static bool attach(CheckResult *check, const Image *yours, const Image *referenc
     if (!image_copy(&parts[EVIDENCE_YOURS], yours) || !image_copy(&parts[EVIDENCE_REFERENCE], reference) ||
         !image_copy(&parts[EVIDENCE_DIFFERENCE], yours))
         return false;
-    mark_difference(&parts[EVIDENCE_DIFFERENCE], yours, reference);
+    difference_mark(&parts[EVIDENCE_DIFFERENCE], yours, reference);
     return make_crop(&parts[EVIDENCE_CROP], (const Image *const[3]){&parts[0], &parts[1], &parts[2]});
 }
 

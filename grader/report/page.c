@@ -78,7 +78,7 @@ void page_text(Page *page, const char *text) {
         }
 }
 
-static void write_base64(FILE *out, const uint8_t *bytes, size_t size) {
+void page_base64(FILE *out, const uint8_t *bytes, size_t size) {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < size; i += 3) {
         unsigned group = (unsigned)bytes[i] << 16;
@@ -91,15 +91,20 @@ static void write_base64(FILE *out, const uint8_t *bytes, size_t size) {
     }
 }
 
+void page_data(Page *page, const char *type, const void *bytes, size_t size) {
+    fprintf(page->out, "data:%s;base64,", type);
+    page_base64(page->out, bytes, size);
+}
+
 void page_picture(Page *page, const Image *image, const char *class_name, const char *description) {
     size_t size;
     uint8_t *png = image_encode_png(image, false, &size);
     fprintf(page->out, "<img class=\"%s\" width=\"%d\" height=\"%d\" alt=\"", class_name, image->width,
             image->height);
     page_text(page, description);
-    fputs("\" src=\"data:image/png;base64,", page->out);
+    fputs("\" src=\"", page->out);
     if (png)
-        write_base64(page->out, png, size);
+        page_data(page, "image/png", png, size);
     fputs("\">", page->out);
     free(png);
 }

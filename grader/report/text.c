@@ -17,17 +17,32 @@ static void print_lines(FILE *out, const char *prefix, const char *text) {
     }
 }
 
-// A hint that has just been given to the check before is not given again.
-static void print_check(const CheckResult *check, const CheckResult *before, FILE *out,
-                        const Colors *colors) {
+// Hints are for what is wrong, and for the first task that is not done: who reads on would learn too early
+// what comes later.
+static void print_check(const CheckResult *check, bool hinted, FILE *out, const Colors *colors) {
     fprintf(out, "  %s%s%s %6.2f/%-3d %-4s %s%s\n", check->passed ? colors->good : colors->bad,
             check->passed ? "ok  " : "FAIL", colors->end, result_points(check), check->check->points,
             check->check->task, check->check->name, check->check->optional ? " (optional)" : "");
     if (!check->has_cause)
         return;
     fprintf(out, "         %s%s%s\n", colors->bold, check->mistake, colors->end);
-    if (!before || strcmp(before->hint, check->hint) != 0)
+    if (hinted)
         print_lines(out, "         ", check->hint);
+}
+
+// The checks of a lab, and where to go on.
+static void print_checks(const LabResult *lab, FILE *out, const Colors *colors) {
+    const CheckResult *before = NULL, *first = NULL;
+    for (int c = 0; c < lab->check_count; c++) {
+        const CheckResult *check = &lab->checks[c];
+        const bool same = before && strcmp(before->hint, check->hint) == 0;
+        print_check(check, !same && (!check->undone || !first || !first->undone), out, colors);
+        before = check;
+        first = first ? first : check->has_cause ? check : NULL;
+    }
+    const char *task = first && first->cause_task ? first->cause_task : first ? first->check->task : "";
+    if (strchr(task, '.'))
+        fprintf(out, "  %sMore hints: make hint TASK=%s%s\n", colors->dim, task, colors->end);
 }
 
 static void print_bar(double share, FILE *out) {
@@ -44,14 +59,13 @@ static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
         print_lines(out, "  ! ", lab->message);
     if (lab->warnings[0])
         print_lines(out, "  note: ", lab->warnings);
-    for (int c = 0; c < lab->check_count; c++)
-        print_check(&lab->checks[c], c > 0 ? &lab->checks[c - 1] : NULL, out, colors);
+    print_checks(lab, out, colors);
     fputs("  ", out);
     print_bar(lab->max_score > 0 ? lab->score / lab->max_score : 0, out);
     fprintf(out, " %.2f of %.0f points, %s%s%s", lab->score, lab->max_score,
             lab->status == LAB_PASSED ? colors->good : colors->bad, result_status_name(lab->status),
             colors->end);
-    if (lab->speed_ratio > 0)
+    if (lab->status == LAB_PASSED && lab->speed_ratio > 0)
         fprintf(out, "; %.2f times the solution's time", lab->speed_ratio);
     fputs("\n\n", out);
 }

@@ -25,17 +25,17 @@ bool artist_open(Artist *artist, const char *id) {
 static bool derive(Artist *artist, const char *folder) {
     char log[COMPILE_LOG] = "";
     return files_make_temporary(artist->client.folder) &&
-           (derive_submission(artist->client.folder, &artist->rubric, folder, log) ||
+           (derive_submission(artist->client.folder, &artist->rubric, folder, artist->client.jail, log) ||
             check_fail("%s", log[0] ? log : "the submission does not compile"));
 }
 
-bool artist_open_submission(Artist *artist, const char *id, const char *submission) {
+bool artist_open_submission(Artist *artist, const char *id, const char *submission, const Jail *jail) {
     char folder[FILES_PATH];
     if (!load(artist, id))
         return false;
     if (!home_find_lab_in(folder, submission, id))
         files_join(folder, submission, ".");
-    artist->client = (Client){.trust = TRUST_NOBODY, .seconds = SECONDS};
+    artist->client = (Client){.trust = TRUST_NOBODY, .jail = jail, .seconds = SECONDS};
     return derive(artist, folder);
 }
 
@@ -46,12 +46,21 @@ bool artist_change(Artist *artist, const Change *change) {
     return painter != NULL;
 }
 
-const Change *artist_mistake(const Artist *artist, const char *name) {
-    for (int i = 0; i < artist->rubric.mistake_count; i++)
-        if (strcmp(artist->rubric.mistakes[i].name, name) == 0)
-            return &artist->rubric.mistakes[i];
-    check_fail("lab %s has no mistake \"%s\" in mistakes.json", artist->rubric.id, name);
+static const Change *find(const Artist *artist, const Change *changes, int count, const char *kind,
+                          const char *name) {
+    for (int i = 0; i < count; i++)
+        if (strcmp(changes[i].name, name) == 0)
+            return &changes[i];
+    check_fail("lab %s has no %s \"%s\" in %ss.json", artist->rubric.id, kind, name, kind);
     return NULL;
+}
+
+const Change *artist_mistake(const Artist *artist, const char *name) {
+    return find(artist, artist->rubric.mistakes, artist->rubric.mistake_count, "mistake", name);
+}
+
+const Change *artist_alternative(const Artist *artist, const char *name) {
+    return find(artist, artist->rubric.alternatives, artist->rubric.alternative_count, "alternative", name);
 }
 
 bool artist_draw(Artist *artist, const Request *request, Image *image, Reply *reply) {

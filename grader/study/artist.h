@@ -15,9 +15,10 @@ typedef struct Artist {
 // The solution of lab `id` ("05"). False with a message.
 bool artist_open(Artist *artist, const char *id);
 
-// A submission's lab `id`; `submission` is a folder shaped like labs/ or the lab's own. False with a message
-// (gcc's first words where it does not compile).
-bool artist_open_submission(Artist *artist, const char *id, const char *submission);
+// A submission's lab `id`; `submission` is a folder shaped like labs/ or the lab's own. It is compiled and
+// drawn in the jail, which outlives the artist (NULL: outside). False with a message (gcc's first words where
+// it does not compile).
+bool artist_open_submission(Artist *artist, const char *id, const char *submission, const Jail *jail);
 
 // From now on the solution is drawn with this change; NULL: as it is. Ours only. `change` must outlive the
 // artist. False with a message when an edit does not apply or the result does not compile.
@@ -25,6 +26,9 @@ bool artist_change(Artist *artist, const Change *change);
 
 // The catalogued mistake of this name; NULL with a message when the lab has none.
 const Change *artist_mistake(const Artist *artist, const char *name);
+
+// The same of the other correct ways.
+const Change *artist_alternative(const Artist *artist, const char *name);
 
 // Draws; true when the picture is there. False with a message when the lab or its process failed.
 bool artist_draw(Artist *artist, const Request *request, Image *image, Reply *reply);

@@ -21,15 +21,19 @@ static bool allocate(Ground *ground) {
            check_fail("out of memory for a truth of %d x %d pixels", ground->size.width, ground->size.height);
 }
 
-Request ground_request(const Ground *ground, const Setting *setting) {
+Request setting_request(const Setting *setting, const Scene *scene, MetricsSize size) {
     Request request = {.magic = PROTOCOL_MAGIC,
-                       .width = ground->size.width,
-                       .height = ground->size.height,
+                       .width = size.width,
+                       .height = size.height,
                        .knob_count = setting->knob_count,
-                       .scene = ground->truth.scene};
+                       .scene = *scene};
     snprintf(request.view, sizeof request.view, "%s", setting->view);
     memcpy(request.knobs, setting->knobs, sizeof request.knobs);
     return request;
+}
+
+Request ground_request(const Ground *ground, const Setting *setting) {
+    return setting_request(setting, &ground->truth.scene, ground->size);
 }
 
 static bool draw_primitives(Ground *ground, Artist *artist) {

@@ -33,6 +33,9 @@ typedef struct Setting {
 // Adds a knob to the setting.
 void setting_knob(Setting *setting, const char *name, float value);
 
+// A request for any scene with the setting's knobs and view.
+Request setting_request(const Setting *setting, const Scene *scene, MetricsSize size);
+
 // A method's frame beside the truth.
 typedef struct Measured {
     Metrics metrics;
@@ -47,5 +50,5 @@ bool ground_measure(const Ground *ground, Artist *artist, const Setting *setting
                     Measured *measured);
 void measured_destroy(Measured *measured); // accepts a zeroed one
 
-// A request for this scene with the setting's knobs and view.
+// A request for the ground's scene with the setting's knobs and view.
 Request ground_request(const Ground *ground, const Setting *setting);

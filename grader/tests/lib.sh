@@ -34,6 +34,21 @@ solved() {
     echo "$to"
 }
 
+# browses SCRIPT ARGUMENTS...: runs a script of browser/ and adds its counts; says so where there is no browser.
+browses() {
+    local command out browser=$root/grader/tests/browser
+    for command in node npm chromium; do
+        command -v $command >/dev/null || { echo "skipped: there is no $command (common/setup --check installs it)"; return 0; }
+    done
+    [[ -d $browser/node_modules/axe-core ]] ||
+        (cd "$browser" && npm install --no-package-lock --no-audit --no-fund --ignore-scripts >"$work/npm" 2>&1) ||
+        { bad "npm install in $browser" "$(cat "$work/npm")"; return 0; }
+    out=$(node "$browser/$1" "${@:2}" 2>&1) || true
+    [[ $out =~ ([0-9]+)\ passed,\ ([0-9]+)\ failed$ ]] || { bad "$1" "$out"; return 0; }
+    ((BASH_REMATCH[2])) && echo "$out"
+    passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
+}
+
 finish() {
     echo "$passed passed, $failed failed"
     ((failed == 0))

@@ -116,6 +116,9 @@ case_ gl-error 1 "GL_INVALID_VALUE in glTexImage2D (lab.c:1"
 solved wrong-uniform >/dev/null
 sed -i 's/"u_shadow_map"/"u_shadowmap"/' "$(c wrong-uniform)"
 case_ wrong-uniform 0 "the uniform u_shadowmap is set but declared neither in scene.vert nor in shadow.frag"
+solved short-uniform >/dev/null
+sed -i 's/"u_light_clip_from_world"/"u_light_clip"/' "$(c short-uniform)"
+case_ short-uniform 1 "the uniform u_light_clip is set but declared neither in scene.vert nor in shadow.frag"
 
 # None of them stops the grading of the other labs.
 for name in compile-error crash endless-loop missing-file; do

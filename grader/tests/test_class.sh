@@ -38,10 +38,13 @@ grades_killed() { # SECONDS ARGUMENTS...
     sleep "$1"
     kill -KILL $pid 2>/dev/null
     wait $pid 2>/dev/null
+    (($? == 137)) && kills=$((kills + 1))
 }
+kills=0
 for jobs in 1 3 2; do
     grades_killed "$((RANDOM % 3)).$((RANDOM % 10))" "${common[@]}" --output "$work/killed" -j $jobs --resume
 done
+((kills > 0)) && ok || bad "no run was killed"
 before=$(ls "$work/killed/results" | wc -l)
 stamps() { stat -c '%n %y' "$work"/killed/results/*.json 2>/dev/null; }
 stamps >"$work/stamps"

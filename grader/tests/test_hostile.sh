@@ -61,7 +61,7 @@ LC_ALL=C grep -q $'[\x1b\x80-\xff]' <<<"$out" && bad "bytes of a submission reac
 
 mkdir "$work/link" && ln -s "$root/solutions/$three" "$work/link/$three"
 grades --lab 03 --seed 1 "$work/link"
-expect "a folder that is a link to the solution" 1 "$three is a symbolic link: hand in the folder itself" "0.00 of 100 points"
+expect "a folder that is a link to the solution" 1 "a link is none" "0.00 of 100 points"
 solved hard >/dev/null && ln "$work/hard/$three/lab.c" "$work/elsewhere"
 grades --lab 03 --seed 1 "$work/hard"
 expect "a hard link" 1 "lab.c is a hard link to another file: hand in a copy"

@@ -108,9 +108,9 @@ static Scene make_scene(Random *random, double *texel, double *outline) {
     const float height = 4, r = 0.5f, fov_y = glm_rad(104), shift = random_range(random, -0.1f, 0.1f);
     const vec3s light = vec3_make(-3.5f + shift, random_range(random, -0.1f, 0.1f), height);
     const vec3s center = vec3_make(-1.6f, random_range(random, -0.1f, 0.1f), 1.6f);
-    Scene scene = witness_wall(6, 10, glm_rad(40));
-    witness_add(&scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0);
-    witness_light(&scene, LIGHT_SPOT, light, vec3_make(light.x, light.y, 0), fov_y, 0, 1, 8);
+    Scene scene = hand_wall(6, 10, glm_rad(40));
+    hand_add(&scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0);
+    hand_light(&scene, LIGHT_SPOT, light, vec3_make(light.x, light.y, 0), fov_y, 0, 1, 8);
     double d = glms_vec3_distance(light, center), sin_a = r / d, cos_theta = (light.z - center.z) / d;
     double q = cos_theta * cos_theta - sin_a * sin_a;
     double a = height * sin_a * sqrt(1 - sin_a * sin_a) / q, b = height * sin_a / sqrt(q);
@@ -130,7 +130,7 @@ static void test_lab(void **unused) {
     for (int i = 0; i < PLACES; i++) {
         double texel, outline;
         Scene scene = make_scene(&random, &texel, &outline);
-        double unit = witness_unit(&scene, SIZE);
+        double unit = hand_unit(&scene, SIZE);
         Metrics metrics = compare(&scene, 0);
         print_metrics("wall", &metrics);
         assert_true(metrics.interior.mae == 0);

@@ -150,7 +150,6 @@ void screens_footer(char *text, size_t size, const Desk *desk, bool listing, boo
     else if (busy)
         snprintf(text, size, "h hint  l list  r run  n next  q quit     grading ...");
     else
-        snprintf(text, size,
-                 "h hint  l list  r run  n next  q quit     graded at %s in %.1f s; save to grade again",
-                 desk->clock, desk->verdict.seconds);
+        snprintf(text, size, "h hint  l list  r run  n next  q quit     graded at %s in %.1f s", desk->clock,
+                 desk->verdict.seconds);
 }

@@ -1,7 +1,16 @@
 // Lab 04: acne and bias. Five ways to keep a surface from shadowing itself, and what each of them costs.
 #include "lab.h"
 
-enum { KNOB_METHOD, KNOB_MAP_SIZE, KNOB_BIAS, KNOB_SLOPE_BIAS, KNOB_FACTOR, KNOB_UNITS, KNOB_NORMAL_OFFSET };
+enum {
+    KNOB_METHOD,
+    KNOB_MAP_SIZE,
+    KNOB_BIAS,
+    KNOB_SLOPE_BIAS,
+    KNOB_FACTOR,
+    KNOB_UNITS,
+    KNOB_NORMAL_OFFSET,
+    KNOB_DEPTH_FORMAT
+};
 enum { PROGRAM_DEPTH, PROGRAM_SHADOW };
 
 // Values of KNOB_METHOD; 1, 2 and 5 are the business of shadow.frag.
@@ -17,7 +26,11 @@ enum {
 static ShadowMap map;
 
 static bool create(const Frame *frame) {
-    return shadow_map_create(&map, (int)frame->knobs[KNOB_MAP_SIZE], GL_DEPTH_COMPONENT24);
+    int bits = (int)frame->knobs[KNOB_DEPTH_FORMAT];
+    GLenum format = bits == 16   ? GL_DEPTH_COMPONENT16
+                    : bits == 24 ? GL_DEPTH_COMPONENT24
+                                 : GL_DEPTH_COMPONENT32F;
+    return shadow_map_create(&map, (int)frame->knobs[KNOB_MAP_SIZE], format);
 }
 
 static void destroy(void) {
@@ -74,7 +87,8 @@ const Lab lab = {
               [KNOB_SLOPE_BIAS] = {"slope bias", "depth", 0, 0.2f, 0.03f},
               [KNOB_FACTOR] = {"factor", "slopes per texel", 0, 16, 2},
               [KNOB_UNITS] = {"units", "least depth steps", 0, 200000, 4},
-              [KNOB_NORMAL_OFFSET] = {"normal offset", "texels", 0, 8, 1}},
+              [KNOB_NORMAL_OFFSET] = {"normal offset", "texels", 0, 8, 1},
+              [KNOB_DEPTH_FORMAT] = {"depth format", "bits: 16, 24, 32 (float)", 16, 32, 24}},
     .passes = {{"shadow map", draw_map}, {"picture", draw_picture}},
     .stages = {{"shadow map", &map.texture}},
     .create = create,

@@ -3,8 +3,8 @@
 #include "frame_view.h"
 #include "lab.h"
 
-enum { KNOB_METHOD };
-enum { PROGRAM_SPLIT, PROGRAM_VOLUME, PROGRAM_TEXTURE, PROGRAM_CONSTANT };
+enum { KNOB_METHOD, KNOB_SILHOUETTES };
+enum { PROGRAM_SPLIT, PROGRAM_VOLUME, PROGRAM_CPU_VOLUME, PROGRAM_TEXTURE, PROGRAM_CONSTANT };
 
 static struct {
     GLuint framebuffer; // task 7.1, with these three attached, as large as the frame
@@ -55,8 +55,8 @@ static void draw_surfaces(const Frame *frame) {
 // Pass 2: count the volumes between the eye and each visible point. Near caps lie on faces of their casters:
 // the polygon offset puts them just behind, else rounding would decide.
 static void draw_volumes(const Frame *frame) {
-    const Program *program = &frame->programs[PROGRAM_VOLUME];
-    bool z_fail = frame->knobs[KNOB_METHOD] > 0;
+    bool z_fail = frame->knobs[KNOB_METHOD] > 0, on_cpu = frame->knobs[KNOB_SILHOUETTES] > 0;
+    const Program *program = &frame->programs[on_cpu ? PROGRAM_CPU_VOLUME : PROGRAM_VOLUME];
     draw_to_frame(frame);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0, 16);
@@ -73,8 +73,11 @@ static void draw_volumes(const Frame *frame) {
     }
     program_set_vec3(program, "u_constant", vec3_make(0.1f, 0.1f, 0));
     draw_begin(frame, program, clip_from_world(frame), frame->scene->camera.eye);
-    casters_draw(frame, program);
-    // TODO(7.6), second part: open the mask of the colour again, for the next pass.
+    if (on_cpu)
+        casters_draw_volumes(frame);
+    else
+        casters_draw(frame, program);
+        // TODO(7.6), second part: open the mask of the colour again, for the next pass.
 }
 
 // Pass 3: diffuse and specular light where no volume was counted.
@@ -94,9 +97,11 @@ const Lab lab = {
     .title = "Shadow volumes",
     .programs = {[PROGRAM_SPLIT] = {"scene.vert", "split.frag", NULL},
                  [PROGRAM_VOLUME] = {"scene.vert", "constant.frag", "volume.geom"},
+                 [PROGRAM_CPU_VOLUME] = {"volume.vert", "constant.frag", NULL},
                  [PROGRAM_TEXTURE] = {"fullscreen.vert", "texture.frag", NULL},
                  [PROGRAM_CONSTANT] = {"fullscreen.vert", "constant.frag", NULL}},
-    .knobs = {[KNOB_METHOD] = {"method", "0: z-pass, 1: z-fail", 0, 1, 1}},
+    .knobs = {[KNOB_METHOD] = {"method", "0: z-pass, 1: z-fail", 0, 1, 1},
+              [KNOB_SILHOUETTES] = {"silhouettes", "0: geometry shader, 1: CPU", 0, 1, 0}},
     .passes = {{"surfaces", draw_surfaces},
                {"volumes", draw_volumes},
                {"light", draw_light},

@@ -106,7 +106,7 @@ const Lab lab = {
     .programs = {[PROGRAM_SHADE] = {"scene.vert", "shade.frag", NULL},
                  [PROGRAM_DIVIDER] = {"fullscreen.vert", "flat.frag", NULL}},
     .knobs = {[KNOB_LEFT_MODEL] = {"left model", "0: ambient, 1: diffuse, 2: Phong, 3: normal", 0, 3, 1},
-              [KNOB_RIGHT_MODEL] = {"right model", "as left model", 0, 3, 2},
+              [KNOB_RIGHT_MODEL] = {"right model", "0: ambient, 1: diffuse, 2: Phong, 3: normal", 0, 3, 2},
               [KNOB_FINISH] = {"finish", "0: plain, 1: posterised, 2: normal", 0, 2, 0}},
     .passes = {{"left half", draw_left_half}, {"divider", draw_divider}, {"right half", draw_right_half}},
     .create = create,

@@ -89,7 +89,7 @@ const Lab lab = {
     .programs = {[PROGRAM_DEPTH] = {"scene.vert", "empty.frag", NULL},
                  [PROGRAM_SHADOW] = {"scene.vert", "shadow.frag", NULL},
                  [PROGRAM_TAPS] = {"fullscreen.vert", "taps.frag", NULL}},
-    .knobs = {[KNOB_MAP_SIZE] = {"map size", "texels", 64, 2048, 256},
+    .knobs = {[KNOB_MAP_SIZE] = {"map size", "texels", 64, 4096, 256},
               [KNOB_RADIUS] = {"radius", "texels", 0, 64, 12},
               [KNOB_COLUMNS] = {"columns", "samples", 4, 16, 4},
               [KNOB_ROWS] = {"rows", "samples", 2, 16, 8},

@@ -1,0 +1,86 @@
+// build.mjs OUTPUT: turns the project's README files into a static site. Run in the project's folder by `make site`.
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { escape, render } from "./pages.mjs";
+
+const output = process.argv[2];
+const style = readFileSync(new URL("style.css", import.meta.url), "utf8");
+const policy = "default-src 'none'; style-src 'unsafe-inline'; img-src 'self' file: data:";
+
+// The pages in the order of the lectures.
+const labs = readdirSync("labs").filter((name) => /^\d\d-[a-z-]+$/.test(name)).sort();
+const pages = [
+  { source: "README.md", file: "index.html", label: "Start" },
+  ...labs.map((name) => ({ source: `labs/${name}/README.md`, file: `${name}.html`, group: "Labs" })),
+  { source: "common/DEBUGGING.md", file: "debugging.html", group: "More" },
+  { source: "grader/README.md", file: "grader.html", group: "More" },
+];
+const listings = new Map(); // files of the project that a page links to, shown as they are
+
+const site = {
+  picture(file) {
+    const target = path.join("pictures", file.replace(/^(labs|build)\//, ""));
+    mkdirSync(path.join(output, path.dirname(target)), { recursive: true });
+    copyFileSync(file, path.join(output, target));
+    return target.split(path.sep).map(encodeURIComponent).join("/");
+  },
+  link(file) {
+    const page = pages.find(({ source }) => source === file || path.dirname(source) === file.replace(/\/$/, ""));
+    if (page) return page.file;
+    if (!existsSync(file) || !statSync(file).isFile()) return undefined;
+    listings.set(file, `file-${file.replace(/[^\w.-]/g, "-")}.html`);
+    return listings.get(file);
+  },
+};
+
+function navigation(current) {
+  let group, html = "";
+  for (const { file, label, group: itsGroup } of pages) {
+    if (itsGroup !== group) html += `${group || html ? "</ul>" : ""}${itsGroup ? `<p>${itsGroup}</p>` : ""}<ul>`;
+    else if (!html) html += "<ul>";
+    group = itsGroup;
+    html += `<li><a href="${file}"${file === current ? ' aria-current="page"' : ""}>${label}</a></li>`;
+  }
+  return `${html}</ul>`;
+}
+
+function turn(page) {
+  const at = pages.indexOf(page);
+  const link = (to, rel, words) => (to ? `<a rel="${rel}" href="${to.file}"><span>${words}</span>${to.label}</a>` : "<span></span>");
+  return at < 0 ? "" : `<nav class="turn" aria-label="Previous and next page">${link(pages[at - 1], "prev", "Previous")}${link(pages[at + 1], "next", "Next")}</nav>`;
+}
+
+function write(page, title, html) {
+  const name = title === "Shadow Lab" ? title : `${title} - Shadow Lab`;
+  writeFileSync(path.join(output, page.file), `<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta http-equiv="Content-Security-Policy" content="${policy}">
+<meta name="color-scheme" content="light dark">
+<title>${name}</title>
+<style>
+${style}</style>
+</head>
+<body>
+<a class="skip" href="#text">To the text</a>
+<nav class="site" aria-label="All pages">${navigation(page.file)}</nav>
+<main id="text">
+${html}${turn(page)}
+</main>
+</body>
+</html>
+`);
+}
+
+rmSync(output, { recursive: true, force: true });
+mkdirSync(output, { recursive: true });
+for (const page of pages) {
+  Object.assign(page, render(page.source, site));
+  page.label ??= escape(page.title.replace(/^Lab (\d\d): /, "$1 "));
+}
+for (const page of pages) write(page, page.title, page.html);
+for (const [file, target] of listings)
+  write({ file: target }, file, `<h1>${escape(file)}</h1>\n<pre tabindex="0" class="listing"><code>${escape(readFileSync(file, "utf8"))}</code></pre>\n`);
+console.log(`site: ${pages.length} pages and ${listings.size} listings in ${output}; open ${path.join(output, "index.html")}`);

@@ -1,0 +1,25 @@
+// A curve of lab 07: which pixels does a way of counting volumes get wrong?
+#pragma once
+
+#include "row.h"
+#include "sight.h"
+
+enum { COUNTING_SIZE = 160, Z_PASS = 0, Z_FAIL = 1 }; // pixels each way; values of the knob "method"
+
+typedef struct Counting {
+    Bench *bench;
+    Findings *findings;
+    Curve *curve;
+    const Change *change; // NULL: the solution as it is
+    int method;
+    int slot; // for the worst frame of the curve
+} Counting;
+
+// Traces the scene and draws its visibility. False with a message; the caller ends the probe in any case.
+bool counting_begin(Probe *probe, const Counting *counting, const Scene *scene);
+
+// Keeps the frame when it is the worst of the curve.
+void counting_frame(const Counting *counting, const Probe *probe, double x);
+
+// Adds the share of wrong pixels, which must be `expected`, and the frame.
+void counting_add(const Counting *counting, const Probe *probe, double x, SightShare expected);

@@ -1,0 +1,146 @@
+#include "plot.h"
+
+#include "check.h"
+#include "files.h"
+#include "process.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { WIDTH = 620, HEIGHT = 380, KEY_HEIGHT = 20, MOST_SECONDS = 120 };
+
+// Okabe and Ito: Color Universal Design, 2008; for people with any colour vision.
+static const char *const colors[FIGURE_CURVES] = {"#0072b2", "#d55e00", "#009e73",
+                                                  "#cc79a7", "#56b4e9", "#7f6000"};
+
+static void write_quoted(FILE *out, const char *text) {
+    fputc('\'', out);
+    for (; *text; text++)
+        fprintf(out, *text == '\'' ? "''" : "%c", *text);
+    fputc('\'', out);
+}
+
+static bool has_level(const Curve *curve) {
+    return curve->rule == CURVE_EQUAL || curve->rule == CURVE_LEAST || curve->rule == CURVE_MOST;
+}
+
+// The power law with the expected exponent through the middle of the points.
+static double power_law(const Curve *curve, double x) {
+    double u = 0, v = 0;
+    for (int i = 0; i < curve->count; i++)
+        u += log(curve->points[i].x) / curve->count, v += log(curve->points[i].measured) / curve->count;
+    return exp(v + curve->slope * (log(x) - u));
+}
+
+// A block of data: x, measured, expected, and the tolerance's two ends.
+static void write_data(FILE *out, const Figure *figure, int number, int c) {
+    const Curve *curve = &figure->curves[c];
+    fprintf(out, "$f%dc%d << EOD\n", number, c);
+    for (int i = 0; i < curve->count; i++) {
+        const CurvePoint *point = &curve->points[i];
+        double expected = curve->rule == CURVE_SLOPE ? power_law(curve, point->x) : point->expected;
+        double low = point->expected - point->tolerance;
+        if (figure->log_y && low <= 0)
+            low = point->expected / 10; // a logarithm has no room for the rest
+        fprintf(out, "%.9g %.9g %.9g %.9g %.9g\n", point->x, point->measured, expected, low,
+                point->expected + point->tolerance);
+    }
+    fputs("EOD\n", out);
+}
+
+static void write_title(FILE *out, const Curve *curve) {
+    char text[ROW_TEXT];
+    snprintf(text, sizeof text, "%s", curve->name);
+    if (curve->rule == CURVE_SLOPE)
+        check_append(text, sizeof text, " (dashed: slope %g)", curve->slope);
+    if (curve->rule == CURVE_LEAST || curve->rule == CURVE_MOST)
+        check_append(text, sizeof text, " (%sthe dashed)", curve_bound(curve));
+    write_quoted(out, text);
+}
+
+static void write_curve(FILE *out, const Curve *curve, int number, int c) {
+    if (curve->rule == CURVE_EQUAL && curve->count > 1)
+        fprintf(out, "$f%dc%d using 1:4:5 with filledcurves fc rgb '%s' fs transparent solid 0.15 notitle, ",
+                number, c, colors[c]);
+    if (has_level(curve) || curve->rule == CURVE_SLOPE)
+        fprintf(out, "$f%dc%d using 1:3 with lines lc rgb '%s' dt 2 lw 2 notitle, ", number, c, colors[c]);
+    fprintf(out, "$f%dc%d using 1:2 with linespoints lc rgb '%s' pt %d ps 0.7 lw 1.5 title ", number, c,
+            colors[c], 5 + 2 * (c % 4));
+    write_title(out, curve);
+    fputs(", ", out);
+}
+
+static void write_axis(FILE *out, char axis, const char *label, bool logarithmic) {
+    fprintf(out, "%s logscale %c\nset %ctics enhanced\nset format %c '%s'\nset %clabel ",
+            logarithmic ? "set" : "unset", axis, axis, axis, logarithmic ? "10^{%L}" : "%g", axis);
+    write_quoted(out, label);
+    fputs(" noenhanced\n", out);
+}
+
+static void write_figure(FILE *out, const Figure *figure, int number) {
+    for (int c = 0; c < figure->count; c++)
+        write_data(out, figure, number, c);
+    write_axis(out, 'x', figure->x_label, figure->log_x);
+    write_axis(out, 'y', figure->y_label, figure->log_y);
+    fputs(figure->log_y ? "unset offsets\nset title "
+                        : "set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05\nset title ",
+          out);
+    write_quoted(out, figure->title);
+    fprintf(out, " noenhanced\nset bmargin %d\nplot ", 5 + figure->count); // the key lies below
+    for (int c = 0; c < figure->count; c++)
+        write_curve(out, &figure->curves[c], number, c);
+    fputs("1/0 notitle\n", out);
+}
+
+void plot_name(char name[PLOT_NAME], const Row *row) {
+    snprintf(name, PLOT_NAME, "stability-%02d.svg", row->number);
+}
+
+static void write_row(FILE *out, const RowResult *result) {
+    const Findings *findings = &result->findings;
+    char name[PLOT_NAME];
+    int most = 0;
+    for (int i = 0; i < findings->figure_count; i++)
+        most = findings->figures[i].count > most ? findings->figures[i].count : most;
+    plot_name(name, result->row);
+    fprintf(out, "set terminal svg size %d,%d enhanced font 'sans-serif,13' background '#ffffff'\n",
+            WIDTH * findings->figure_count, HEIGHT + KEY_HEIGHT * most);
+    fprintf(out,
+            "set output '%s'\nset grid lc rgb '#dddddd'\nset key below maxcols 1 noenhanced\nset multiplot "
+            "layout 1,%d\n",
+            name, findings->figure_count);
+    for (int i = 0; i < findings->figure_count; i++)
+        write_figure(out, &findings->figures[i], i);
+    fputs("unset multiplot\nunset output\n", out);
+}
+
+static bool run_gnuplot(const char *folder) {
+    static Process process;
+    char *const arguments[] = {"gnuplot", "stability.gp", NULL};
+    char path[FILES_PATH];
+    snprintf(path, sizeof path, "PATH=%s", getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
+    char *const environment[] = {path, NULL};
+    const ProcessLimits limits = {.wall_seconds = MOST_SECONDS};
+    if (!process_start(&process, arguments, environment, folder, &limits))
+        return false;
+    process_wait(&process);
+    bool ok = process.state == PROCESS_ENDED && process.status == 0;
+    if (!ok)
+        check_fail("gnuplot drew no figures in %s: %s", folder,
+                   process.text[0] ? process.text : "is it installed? common/setup --test installs it");
+    process_stop(&process);
+    return ok;
+}
+
+bool plot_all(const RowResult *results, int count, const char *folder) {
+    char path[FILES_PATH];
+    files_join(path, folder, "stability.gp");
+    FILE *out = fopen(path, "w");
+    if (!out)
+        return check_fail("%s cannot be written", path);
+    for (int i = 0; i < count; i++)
+        if (results[i].findings.figure_count)
+            write_row(out, &results[i]);
+    return (fclose(out) == 0 || check_fail("%s cannot be written", path)) && run_gnuplot(folder);
+}

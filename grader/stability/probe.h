@@ -1,0 +1,33 @@
+// One scene that a lab draws again and again, each time held against the scene's truth under its light 0.
+#pragma once
+
+#include "bench.h"
+#include "study/ground.h"
+
+#include <stdbool.h>
+
+typedef struct Probe {
+    Bench *bench;
+    const char *lab;
+    const Change *change; // NULL: the solution as it is
+    Setting setting;      // the visibility of all objects
+    Ground ground;
+    Measured measured; // of the latest frame
+} Probe;
+
+// Traces the scene; width x height pixels. False with a message; the caller ends the probe in any case.
+bool probe_begin(Probe *probe, Bench *bench, const char *lab, const Scene *scene, int width, int height);
+void probe_end(Probe *probe); // accepts a zeroed probe
+
+// Gives the knob a value, from now on.
+void probe_knob(Probe *probe, const char *name, double value);
+
+// Draws and measures. False with a message.
+bool probe_draw(Probe *probe);
+
+// World units of a wall (hand.h) per pixel.
+double probe_unit(const Probe *probe);
+
+// Mean of false light (sign 1) or false shadow (-1) over the pixels that count, lie on `object`, are dark
+// (lit) in truth and are no edge. NAN when there are none.
+double probe_false(const Probe *probe, int object, int sign);

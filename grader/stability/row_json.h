@@ -1,0 +1,9 @@
+// What the suite found, for the page and for other programs.
+#pragma once
+
+#include "row.h"
+
+#include <jansson.h>
+
+// One entry of "rows" in stability.json, whose format is schema.json.
+json_t *row_json(const RowResult *result);

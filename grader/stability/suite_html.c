@@ -1,0 +1,202 @@
+#include "suite_html.h"
+
+#include "files.h"
+#include "plot.h"
+#include "report/page.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_SVG = 1 << 22 };
+
+static const char *status_class(RowStatus status) {
+    static const char *const classes[] = {"good", "bad", "faint"};
+    return classes[status];
+}
+
+static const char *status_words(RowStatus status) {
+    static const char *const words[] = {"✓ pass", "✗ fail", "– not built"};
+    return words[status];
+}
+
+static void write_cell(Page *page, const char *bound, double value) {
+    fprintf(page->out, "<td class=\"number\">%s", isfinite(value) ? bound : "");
+    if (isfinite(value))
+        fprintf(page->out, "%.4g", value);
+    else
+        fputs("–", page->out);
+    fputs("</td>", page->out);
+}
+
+static void write_element(Page *page, const char *name, const char *text) {
+    fprintf(page->out, "<%s>", name);
+    page_text(page, text);
+    fprintf(page->out, "</%s>", name);
+}
+
+static void write_summary(Page *page, const RowResult *results, int count) {
+    fputs("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"All rows\"><table><thead><tr><th "
+          "scope=\"col\" "
+          "class=\"number\">row</th><th scope=\"col\">name</th><th scope=\"col\">method</th><th "
+          "scope=\"col\">status</th>"
+          "<th scope=\"col\">its tightest curve</th><th scope=\"col\" class=\"number\">measured</th><th "
+          "scope=\"col\" "
+          "class=\"number\">expected</th></tr></thead><tbody>\n",
+          page->out);
+    for (int i = 0; i < count; i++) {
+        const RowResult *result = &results[i];
+        fprintf(page->out, "<tr><td class=\"number\">%d</td><td><a href=\"#row-%d\">", result->row->number,
+                result->row->number);
+        page_text(page, result->row->name);
+        fputs("</a></td>", page->out);
+        write_element(page, "td", result->row->method);
+        fprintf(page->out, "<td class=\"%s state\">%s</td>", status_class(result->status),
+                status_words(result->status));
+        write_element(page, "td", result->curve ? result->curve->name : "–");
+        write_cell(page, "", result->curve ? result->worst.measured : NAN);
+        write_cell(page, result->curve ? curve_bound(result->curve) : "",
+                   result->curve ? result->worst.expected : NAN);
+        fputs("</tr>\n", page->out);
+    }
+    fputs("</tbody></table></div>\n", page->out);
+}
+
+static void write_points(Page *page, const Curve *curve) {
+    bool level = curve->rule <= CURVE_MOST;
+    for (int i = 0; i < curve->count; i++) {
+        const CurvePoint *point = &curve->points[i];
+        fputs("<tr>", page->out);
+        write_element(page, "td", curve->name);
+        write_cell(page, "", point->x);
+        write_cell(page, "", point->measured);
+        write_cell(page, curve_bound(curve), level ? point->expected : NAN);
+        write_cell(page, "", curve->rule == CURVE_SLOPE ? NAN : point->tolerance);
+        fputs("</tr>\n", page->out);
+    }
+}
+
+static void write_numbers(Page *page, const Figure *figure) {
+    fputs("<details><summary>The numbers: ", page->out);
+    page_text(page, figure->title);
+    fputs("</summary><div class=\"wide\" tabindex=\"0\" role=\"region\" "
+          "aria-label=\"Numbers\"><table><thead><tr><th "
+          "scope=\"col\">curve</th><th scope=\"col\" class=\"number\">",
+          page->out);
+    page_text(page, figure->x_label);
+    fputs("</th><th scope=\"col\" class=\"number\">", page->out);
+    page_text(page, figure->y_label);
+    fputs("</th><th scope=\"col\" class=\"number\">expected</th><th scope=\"col\" "
+          "class=\"number\">tolerance</th></tr>"
+          "</thead><tbody>\n",
+          page->out);
+    for (int c = 0; c < figure->count; c++)
+        write_points(page, &figure->curves[c]);
+    fputs("</tbody></table></div></details>\n", page->out);
+}
+
+static void write_verdict(Page *page, const Curve *curve) {
+    CurveVerdict verdict = curve_judge(curve);
+    fprintf(page->out, "<li><span class=\"%s\">%s</span> ", verdict.holds ? "good" : "bad",
+            verdict.holds ? "holds:" : "does not hold:");
+    page_text(page, curve->name);
+    if (curve->rule == CURVE_SLOPE)
+        fprintf(page->out, ", slope %.3f, expected %g ± %.2g", verdict.measured, curve->slope,
+                curve->tolerance);
+    else if (verdict.share < CURVE_HOPELESS)
+        fprintf(page->out, ", %.0f %% of the tolerance used", 100 * verdict.share);
+    fputs("</li>\n", page->out);
+}
+
+static bool write_figures(Page *page, const RowResult *result, const char *folder) {
+    char path[FILES_PATH], name[PLOT_NAME];
+    plot_name(name, result->row);
+    files_join(path, folder, name);
+    char *svg = files_read(path, MOST_SVG);
+    if (!svg)
+        return false;
+    fprintf(page->out,
+            "<figure><img style=\"width:%dpx\" alt=\"Curves:", 620 * result->findings.figure_count);
+    for (int i = 0; i < result->findings.figure_count; i++) {
+        fputc(' ', page->out);
+        page_text(page, result->findings.figures[i].title);
+        fputc('.', page->out);
+    }
+    fputs(" Their numbers stand below.\" src=\"", page->out);
+    page_data(page, "image/svg+xml", svg, strlen(svg));
+    fputs("\"></figure>\n<ul>\n", page->out);
+    free(svg);
+    for (int i = 0; i < result->findings.figure_count; i++)
+        for (int c = 0; c < result->findings.figures[i].count; c++)
+            write_verdict(page, &result->findings.figures[i].curves[c]);
+    fputs("</ul>\n", page->out);
+    for (int i = 0; i < result->findings.figure_count; i++)
+        write_numbers(page, &result->findings.figures[i]);
+    return true;
+}
+
+static void write_frame(Page *page, const RowFrame *frame) {
+    if (!frame->strip.rgba)
+        return;
+    fputs("<figure>", page->out);
+    page_picture(page, &frame->strip, "strip", "The method, the truth and the error side by side");
+    write_element(page, "figcaption", frame->caption);
+    fputs("</figure>\n", page->out);
+}
+
+static void write_words(Page *page, const char *title, const char *text) {
+    fprintf(page->out, "<p><strong>%s:</strong> ", title);
+    page_text(page, text);
+    fputs("</p>\n", page->out);
+}
+
+static bool write_row(Page *page, const RowResult *result, const char *folder) {
+    const Row *row = result->row;
+    fprintf(page->out, "<section id=\"row-%d\"><h2>%d. ", row->number, row->number);
+    page_text(page, row->name);
+    fprintf(page->out, " <span class=\"%s\">%s</span></h2>\n", status_class(result->status),
+            status_words(result->status));
+    write_words(page, "Method", row->method);
+    write_words(page, "Swept", row->sweep);
+    write_words(page, "Expected, and why", row->expected);
+    write_words(page, "Source", row->source);
+    if (result->message[0])
+        write_words(page, "It could not go on", result->message);
+    bool ok = result->findings.figure_count == 0 || write_figures(page, result, folder);
+    for (int i = 0; i < ROW_FRAMES; i++)
+        write_frame(page, &result->findings.frames[i]);
+    fputs("</section>\n", page->out);
+    return ok;
+}
+
+char *suite_html(const RowResult *results, int count, const char *folder) {
+    Page page;
+    int of_status[3] = {0};
+    if (!page_begin(&page, "Where methods break"))
+        return NULL;
+    for (int i = 0; i < count; i++)
+        of_status[results[i].status]++;
+    fprintf(page.out,
+            "<p>Each row sweeps one method over what breaks it. The labs' solutions draw; dashed is what "
+            "must come out, the "
+            "band around it is the tolerance. A known failure must show and its remedy must hold, or the row "
+            "fails.</p>\n"
+            "<p>%d rows pass, %d fail, %d are about methods that no lab has yet.</p>\n<p>Frames show the "
+            "method, the "
+            "ray-traced truth and the error: yellow is false light, blue false shadow, black does not "
+            "count.</p>\n"
+            "<style>figure img { image-rendering: auto; } "
+            "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
+            "image-rendering: pixelated; } .state { white-space: nowrap; "
+            "}</style>\n",
+            of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);
+    write_summary(&page, results, count);
+    bool ok = true;
+    for (int i = 0; ok && i < count; i++)
+        ok = write_row(&page, &results[i], folder);
+    char *text = page_end(&page);
+    if (ok)
+        return text;
+    free(text);
+    return NULL;
+}

@@ -1,0 +1,156 @@
+#include "chart_page.h"
+
+#include "chart.h"
+#include "check.h"
+#include "home.h"
+#include "pictures.h"
+#include "report/page.h"
+
+#include <errno.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LIMIT = 1 << 20 };
+static const char mark[] = "/*DATA*/"; // where the data stands in chart_page.html
+
+// Puts the file of this name in grader/study/ where its name stands as a comment. Frees the text; NULL with a
+// message.
+static char *insert(char *text, const char *name) {
+    char path[FILES_PATH], relative[64], comment[64];
+    snprintf(relative, sizeof relative, "grader/study/%s", name);
+    snprintf(comment, sizeof comment, "/*%s*/", name);
+    home_path(path, relative);
+    char *part = files_read(path, LIMIT), *at = strstr(text, comment), *whole = NULL;
+    if (part && at) {
+        size_t size = strlen(text) + strlen(part) + 1;
+        whole = malloc(size);
+        INVARIANT(whole);
+        snprintf(whole, size, "%.*s%s%s", (int)(at - text), text, part, at + strlen(comment));
+    } else if (part)
+        check_fail("chart_page.html has no %s; restore the file", comment);
+    free(part);
+    free(text);
+    return whole;
+}
+
+static char *read_template(void) {
+    static const char *const parts[] = {"chart_page.css", "chart_page_error.js", "chart_page.js"};
+    char path[FILES_PATH];
+    home_path(path, "grader/study/chart_page.html");
+    char *text = files_read(path, LIMIT);
+    for (size_t i = 0; text && i < sizeof parts / sizeof parts[0]; i++)
+        text = insert(text, parts[i]);
+    if (text && strstr(text, mark))
+        return text;
+    if (text)
+        check_fail("%s: no %s in it; restore the file", path, mark);
+    free(text);
+    return NULL;
+}
+
+bool chart_page_begin(FILE *file) {
+    char *text = read_template();
+    if (!text)
+        return false;
+    fwrite(text, 1, (size_t)(strstr(text, mark) - text), file);
+    free(text);
+    return true;
+}
+
+bool chart_page_end(FILE *file) {
+    char *text = read_template();
+    if (!text)
+        return false;
+    fputs(strstr(text, mark) + strlen(mark), file);
+    free(text);
+    return true;
+}
+
+static bool read_bytes(const char *path, uint8_t **bytes, size_t *size) {
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return check_fail("%s: %s", path, strerror(errno));
+    fseek(file, 0, SEEK_END);
+    *size = (size_t)ftell(file);
+    rewind(file);
+    *bytes = malloc(*size + 1);
+    bool ok = *bytes && fread(*bytes, 1, *size, file) == *size;
+    fclose(file);
+    return ok || check_fail("%s cannot be read", path);
+}
+
+// A PNG as a data URL; NULL with a message.
+static json_t *picture(const char *path) {
+    uint8_t *bytes = NULL;
+    size_t size = 0, length = 0;
+    json_t *url = NULL;
+    char *text = NULL;
+    if (read_bytes(path, &bytes, &size)) {
+        FILE *out = open_memstream(&text, &length);
+        INVARIANT(out);
+        fputs("data:image/png;base64,", out);
+        page_base64(out, bytes, size);
+        fclose(out);
+        url = json_string(text);
+    }
+    free(text);
+    free(bytes);
+    return url;
+}
+
+static json_t *errors_json(const StateErrors *e) {
+    return json_pack("{s:f, s:f, s:f, s:f, s:f}", "edgeShadow", e->edge_false_shadow, "edgeLight",
+                     e->edge_false_light, "insideShadow", e->interior_false_shadow, "insideLight",
+                     e->interior_false_light, "off", e->off);
+}
+
+static json_t *point_json(const Findings *findings, int i, json_t *frame) {
+    const Finding *f = &findings->findings[i];
+    const Point *p = &findings->points[i];
+    json_t *point =
+        json_pack("{s:s, s:s, s:s, s:i, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab", f->method.lab,
+                  "method", f->method.family, "setting", f->method.name, "family",
+                  chart_family(findings, f->method.family, f->method.submission), "submission",
+                  f->method.submission, "front", p->on_front, "enough", f->enough, "chosen", f->chosen, "ms",
+                  p->ms, "mad", p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
+    json_t *rest = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:o, s:o}", "prepare", f->prepare_ms,
+                             "prepareMad", f->prepare_mad, "error", p->error, "taps", f->cost.taps, "texels",
+                             f->cost.texels, "fragments", f->cost.fragments, "rays", f->cost.rays, "frames",
+                             f->frames, "errors", errors_json(&f->errors), "frame", frame);
+    json_object_update(point, rest);
+    json_decref(rest);
+    return point;
+}
+
+static bool add_points(json_t *points, const StudyPlan *plan, const Findings *findings) {
+    for (int i = 0; i < findings->count; i++) {
+        char path[FILES_PATH];
+        if (!findings->findings[i].drawn)
+            continue;
+        pictures_frame_path(path, plan->output, findings->findings[i].key);
+        json_t *frame = picture(path);
+        if (!frame)
+            return false;
+        json_array_append_new(points, point_json(findings, i, frame));
+    }
+    return true;
+}
+
+bool chart_page_add(FILE *file, const StudyPlan *plan, const Findings *findings, bool is_first) {
+    char path[FILES_PATH], need[512];
+    const StudyScene *scene = findings->scene;
+    json_t *points = json_array();
+    pictures_path(path, plan->output, scene->name);
+    json_t *truth = picture(path);
+    findings_tell(findings, need, sizeof need);
+    bool ok = truth && add_points(points, plan, findings);
+    json_t *all = json_pack("{s:s, s:s, s:s, s:s, s:f, s:b, s:i, s:i, s:o*, s:o}", "name", scene->name,
+                            "title", scene->title, "shows", scene->shows, "need", need, "tolerance",
+                            scene->tolerance, "edges", scene->edges, "width", plan->size.width, "height",
+                            plan->size.height, "truth", truth, "points", points);
+    fputs(is_first ? "" : ",\n", file);
+    ok = ok && json_dumpf(all, file, JSON_COMPACT | JSON_REAL_PRECISION(9)) == 0;
+    json_decref(all);
+    return ok;
+}

@@ -1,0 +1,248 @@
+// The charts: points that show their setting. `scenes` stands before this file.
+const colors =
+    ['#0072b2', '#d55e00', '#009e73', '#b45a8c', '#b87d00', '#2c8fc9', '#000000', '#7f7f00', '#6a3d9a', '#8c564b'];
+const size = {
+  width: 760,
+  height: 500,
+  left: 64,
+  right: 14,
+  top: 14,
+  bottom: 46
+},
+      leastError = 1e-6;
+const submitted = '#d00000';
+const color = p => p.submission ? submitted : colors[p.family % colors.length];
+const time = p => byShade.checked ? p.shade : p.ms, mad = p => byShade.checked ? p.shadeMad : p.mad;
+const byShade = document.getElementById('shade');
+const digits = x => x === 0     ? '0'
+                    : x >= 1000 ? Math.round(x).toLocaleString('en')
+                                : Number(x.toPrecision(3)).toString();
+const percent = x => digits(100 * x) + ' %';
+
+function make(name, attributes = {}, ...children) {
+  const isDrawing = ['svg', 'g', 'path', 'line', 'circle', 'text', 'rect'].includes(name);
+  const element =
+      isDrawing ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);
+  for (const [key, value] of Object.entries(attributes))
+    element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+
+// Shapes of area about r squared times three, one for each family in turn.
+function shape(p, x, y, r) {
+  const polygon = points => 'M' + points.map(([u, v]) => `${x + u * r},${y + v * r}`).join('L') + 'Z';
+  const cross = `M${x - r},${y - r}L${x + r},${y + r}M${x - r},${y + r}L${x + r},${y - r}`;
+  if (p.submission)
+    return make('path', {d: cross, stroke: submitted, 'stroke-width': 3});
+  const paths = [
+    null, polygon([[-.9, -.9], [.9, -.9], [.9, .9], [-.9, .9]]), polygon([[0, -1.2], [1.1, .8], [-1.1, .8]]),
+    polygon([[0, 1.2], [1.1, -.8], [-1.1, -.8]]), polygon([[0, -1.3], [1.1, 0], [0, 1.3], [-1.1, 0]])
+  ];
+  const open = p.family >= paths.length,
+        style = open ? {fill: '#fff', stroke: color(p), 'stroke-width': 2} : {fill: color(p)};
+  const path = paths[p.family % paths.length];
+  return path ? make('path', {d: path, ...style}) : make('circle', {cx: x, cy: y, r, ...style});
+}
+
+// A logarithmic axis over these values: from a value to pixels, and its ticks.
+function axis(values, from, to, steps) {
+  const low = Math.min(...values) / 1.25, high = Math.max(...values) * 1.25, span = Math.log(high / low), ticks = [];
+  for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); power++)
+    for (const step of steps) {
+      const tick = step * 10 ** power;
+      if (tick >= low && tick <= high)
+        ticks.push(tick);
+    }
+  return {place: value => from + Math.log(value / low) / span * (to - from), ticks};
+}
+
+function drawAxes(svg, x, y) {
+  const right = size.width - size.right, bottom = size.height - size.bottom,
+        back = make('g', {'aria-hidden': 'true'});
+  for (const tick of x.ticks)
+    back.append(make('line', {class: 'grid', x1: x.place(tick), x2: x.place(tick), y1: size.top, y2: bottom}),
+                make('text', {x: x.place(tick), y: bottom + 18, 'text-anchor': 'middle'}, digits(tick)));
+  for (const tick of y.ticks)
+    back.append(make('line', {class: 'grid', x1: size.left, x2: right, y1: y.place(tick), y2: y.place(tick)}),
+                make('text', {x: size.left - 6, y: y.place(tick) + 4, 'text-anchor': 'end'},
+                     tick <= leastError * 1.01 ? 'none' : percent(tick)));
+  back.append(
+      make('rect', {class: 'axis', x: size.left, y: size.top, width: right - size.left, height: bottom - size.top}),
+      make('text', {x: (size.left + right) / 2, y: size.height - 8, 'text-anchor': 'middle'},
+           'CPU time of a frame, ms'),
+      make('text',
+           {x: 14, y: size.height / 2, transform: `rotate(-90 14 ${size.height / 2})`, 'text-anchor': 'middle'},
+           'error'));
+  svg.append(back);
+}
+
+const errorOf = p => Math.max(p.error, leastError);
+
+function drawFront(svg, points, x, y) {
+  const front = points.filter(p => p.front && !p.submission);
+  if (byShade.checked || front.length === 0)
+    return; // the front is that of whole frames
+  let path = `M${x.place(time(front[0]))},${y.place(errorOf(front[0]))}`;
+  for (const p of front.slice(1))
+    path += `H${x.place(time(p))}V${y.place(errorOf(p))}`;
+  svg.append(make('path', {class: 'front', d: path, 'aria-hidden': 'true'}));
+}
+
+function describe(p) {
+  return `${p.submission ? 'submission, ' : ''}${p.method}, ${p.setting}, lab ${p.lab}: ${
+             digits(time(p))} ms, error ${percent(p.error)}` +
+         (p.front ? ', on the front' : '') + (p.chosen ? ', what this scene needs' : '');
+}
+
+function drawPoint(p, x, y) {
+  const at = x.place(Math.max(time(p), 1e-3)), down = y.place(errorOf(p));
+  const ends = [Math.max(time(p) - mad(p), time(p) / 2), time(p) + mad(p)].map(x.place);
+  const point =
+      make('g', {class: 'point', role: 'option', tabindex: -1, 'aria-selected': 'false', 'aria-label': describe(p)},
+           make('circle', {class: 'halo', cx: at, cy: down, r: 9}),
+           make('line', {class: 'bar', x1: ends[0], x2: ends[1], y1: down, y2: down, stroke: color(p)}),
+           shape(p, at, down, 4.5), make('circle', {cx: at, cy: down, r: 8, fill: 'transparent'}));
+  if (p.chosen)
+    point.prepend(make('circle', {class: 'need', cx: at, cy: down, r: 13}));
+  return point;
+}
+
+function numbers(scene, p) {
+  const e = p.errors, rows = [
+    ['time of a frame', `${digits(p.ms)} ± ${digits(p.mad)} ms, ${p.frames} frames`],
+    ['before the picture (map, volumes, bake)', `${digits(p.prepare)} ± ${digits(p.prepareMad)} ms`],
+    ['the picture', `${digits(p.shade)} ± ${digits(p.shadeMad)} ms`],
+    ['false shadow inside', percent(e.insideShadow)], ['false light inside', percent(e.insideLight)]
+  ];
+  if (scene.edges)
+    rows.push(['false shadow at the edge', percent(e.edgeShadow)], ['false light at the edge', percent(e.edgeLight)],
+              ['the edge is off by', `${digits(e.off)} pixels`]);
+  const costs =
+      [['taps a pixel', p.taps], ['texels', p.texels], ['fragments of volumes', p.fragments], ['rays', p.rays]];
+  rows.push(...costs.filter(([, cost]) => cost > 0).map(([name, cost]) => [name, digits(cost)]));
+  return make(
+      'table', {},
+      make('tbody', {},
+           ...rows.map(([name, value]) => make('tr', {}, make('th', {scope: 'row'}, name), make('td', {}, value)))));
+}
+
+function show(panel, scene, p) {
+  const canvas = make('canvas', {
+    width: scene.width,
+    height: scene.height,
+    role: 'img',
+    'aria-label': `errors: false shadow ${percent(p.errors.insideShadow + p.errors.edgeShadow)}, false light ${
+        percent(p.errors.insideLight + p.errors.edgeLight)}`
+  });
+  canvas.dataset.of = describe(p);
+  const key = end => make('span', {class: 'key', style: `background: rgb(${errorColors[end]})`});
+  panel.replaceChildren(
+      make('h3', {}, `${p.submission ? 'Submission: ' : ''}${p.method}, ${p.setting} (lab ${p.lab})`),
+      make('div', {class: 'pictures'},
+           make('figure', {}, make('img', {
+                  src: p.frame,
+                  alt: 'The frame: lit white, shadow black',
+                  width: scene.width,
+                  height: scene.height
+                }),
+                make('figcaption', {}, 'the frame: what light reaches each point')),
+           make('figure', {}, canvas,
+                make('figcaption', {}, key(0), ' false shadow, ', key(510), ' false light: the brighter, the more'))),
+      numbers(scene, p));
+  drawError(canvas, scene, p);
+}
+
+function tableOf(scene, points) {
+  const heads = [
+    'method and setting', 'lab', 'ms', 'MAD', 'picture, ms', 'error', 'edge off, px', 'taps', 'texels', 'fragments',
+    'rays', 'front', 'enough'
+  ];
+  const row =
+      p => [`${p.submission ? 'submission: ' : ''}${p.method}, ${p.setting}`, p.lab, digits(p.ms), digits(p.mad),
+            digits(p.shade), percent(p.error), scene.edges ? digits(p.errors.off) : '', digits(p.taps),
+            digits(p.texels), digits(p.fragments), digits(p.rays), p.front ? 'yes' : '', p.enough ? 'yes' : ''];
+  return make(
+      'details', {}, make('summary', {}, `All ${points.length} settings as a table`),
+      make('div', {class: 'wide', tabindex: 0, role: 'region', 'aria-label': `Settings of ${scene.title}`},
+           make('table', {}, make('thead', {}, make('tr', {}, ...heads.map(h => make('th', {scope: 'col'}, h)))),
+                make('tbody', {}, ...points.map(p => make('tr', {}, ...row(p).map(cell => make('td', {}, cell))))))));
+}
+
+function legend(points) {
+  const seen = new Map(points.map(p => [p.family, p])); // one of each
+  return make(
+      'ul', {class: 'legend', 'aria-label': 'Methods'},
+      ...[...seen.values()]
+          .sort((a, b) => a.family - b.family)
+          .map(p => make('li', {}, make('svg', {viewBox: '-8 -8 16 16', 'aria-hidden': 'true'}, shape(p, 0, 0, 6)),
+                         (p.submission ? 'submission: ' : '') + p.method)));
+}
+
+// The chart of a scene. `chosen` is the point that is shown at first; `choose` is told of another.
+function drawChart(scene, points, chosen, choose) {
+  const svg = make(
+      'svg', {viewBox: `0 0 ${size.width} ${size.height}`, role: 'group', 'aria-label': `Chart: ${scene.title}`});
+  const x = axis(points.flatMap(p => [time(p), time(p) + mad(p)]).map(t => Math.max(t, 1e-3)), size.left,
+                 size.width - size.right, [1, 1.5, 2, 3, 5, 7]);
+  const errors = points.map(errorOf), narrow = Math.max(...errors) < 100 * Math.min(...errors);
+  const y = axis(errors, size.height - size.bottom, size.top, narrow ? [1, 2, 5] : [1]);
+  drawAxes(svg, x, y);
+  drawFront(svg, points, x, y);
+  const list = make('g', {role: 'listbox', 'aria-label': `Settings of ${scene.title}, by time`}),
+        marks = points.map(p => drawPoint(p, x, y));
+  const select = (i, focus) => {
+    marks.forEach((mark, j) => {
+      mark.setAttribute('aria-selected', i === j);
+      mark.setAttribute('tabindex', i === j ? 0 : -1);
+    });
+    if (focus)
+      marks[i].focus();
+    choose(points[i]);
+  };
+  marks.forEach((mark, i) => {
+    mark.addEventListener('click', () => select(i, true));
+    mark.addEventListener('keydown', event => {
+      const next = {
+        ArrowRight: i + 1,
+        ArrowDown: i + 1,
+        ArrowLeft: i - 1,
+        ArrowUp: i - 1,
+        Home: 0,
+        End: marks.length - 1,
+        Enter: i,
+        ' ': i
+      }[event.key];
+      if (next === undefined)
+        return;
+      event.preventDefault();
+      if (marks[next])
+        select(next, true);
+    });
+  });
+  list.append(...marks);
+  svg.append(list);
+  select(Math.max(points.indexOf(chosen), 0), false);
+  return svg;
+}
+
+function drawScene(scene) {
+  const chart = make('div'),
+        panel = make('section', {'aria-live': 'polite', 'aria-label': `The setting, ${scene.title}`});
+  let current = scene.points.find(p => p.chosen) || scene.points[0];
+  const draw = () => {
+    const points = [...scene.points].sort((a, b) => time(a) - time(b));
+    chart.replaceChildren(drawChart(scene, points, current, p => {
+                            current = p;
+                            show(panel, scene, p);
+                          }), legend(points), tableOf(scene, points));
+  };
+  byShade.addEventListener('change', draw);
+  draw();
+  return make('section', {'aria-label': scene.title}, make('h2', {}, scene.title),
+              make('p', {}, `Shows: ${scene.shows}.`),
+              make('p', {}, make('strong', {}, 'What it needs: '), scene.need + '.'),
+              make('div', {class: 'scene'}, chart, panel));
+}
+
+document.getElementById('scenes').append(...scenes.map(drawScene));

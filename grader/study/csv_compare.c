@@ -1,0 +1,114 @@
+#include "csv.h"
+
+#include "check.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST = 8 * METHOD_MOST, NAME = 160, COLUMNS = 27, BEFORE_TIMES = 5, BEFORE_ERRORS = 12 };
+
+typedef struct Row {
+    char scene[32], name[NAME]; // name: scene, lab, whose, method and setting
+    Point point;
+} Row;
+
+typedef struct Table {
+    Row rows[MOST];
+    int count;
+} Table;
+
+// Cuts the line at its commas outside quotes, which go; false when it has another number of fields.
+static bool split(char *line, char *fields[COLUMNS]) {
+    int count = 0;
+    for (char *at = line; at; count++) {
+        bool is_quoted = *at == '"';
+        char *end = is_quoted ? strchr(at + 1, '"') : at + strcspn(at, ",");
+        if (!end || count == COLUMNS || (is_quoted && end[1] != ',' && end[1] != '\0'))
+            return false;
+        fields[count] = at + is_quoted;
+        char *comma = end + is_quoted;
+        at = *comma ? comma + 1 : NULL;
+        *end = *comma = '\0';
+    }
+    return count == COLUMNS;
+}
+
+static bool take(Table *table, char *line) {
+    char *fields[COLUMNS];
+    if (!split(line, fields) || table->count == MOST)
+        return false;
+    Row *row = &table->rows[table->count++];
+    *row = (Row){.point = {.ms = atof(fields[BEFORE_TIMES + 1]),
+                           .mad = atof(fields[BEFORE_TIMES + 2]),
+                           .error = atof(fields[BEFORE_ERRORS]),
+                           .on_front = atoi(fields[COLUMNS - 3]) != 0}};
+    snprintf(row->scene, sizeof row->scene, "%s", fields[0]);
+    for (int i = 0; i < BEFORE_TIMES; i++)
+        check_append(row->name, sizeof row->name, "%s%s", i ? ", " : "", fields[i]);
+    return true;
+}
+
+static bool read_table(Table *table, const char *path) {
+    char line[1024];
+    int number = 0;
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return check_fail("%s: %s", path, strerror(errno));
+    bool ok = true;
+    while (ok && fgets(line, sizeof line, file)) {
+        line[strcspn(line, "\r\n")] = '\0';
+        ok = number++ == 0 ? strncmp(line, "scene,lab,", 10) == 0 : take(table, line);
+    }
+    fclose(file);
+    if (ok && number > 0)
+        return true;
+    return check_fail("%s:%d: not a chart.csv of this version; make it anew with make study", path, number);
+}
+
+static const Row *find(const Table *table, const Row *wanted) {
+    for (int i = 0; i < table->count; i++)
+        if (strcmp(table->rows[i].name, wanted->name) == 0)
+            return &table->rows[i];
+    return NULL;
+}
+
+// Does noise explain that `on` is on the front of its table and `off` not on that of the other? For each one
+// that dominates it in the other table only.
+static bool is_explained(const Table *on_table, const Row *on, const Table *off_table, const Row *off) {
+    for (int i = 0; i < off_table->count; i++) {
+        const Row *rival = &off_table->rows[i], *before = find(on_table, rival);
+        if (!before || strcmp(rival->scene, off->scene) != 0 || !pareto_dominates(&rival->point, &off->point))
+            continue;
+        if (!pareto_bars_overlap(&rival->point, &off->point) &&
+            !pareto_bars_overlap(&before->point, &on->point))
+            return false;
+    }
+    return true;
+}
+
+bool csv_compare(const char *a, const char *b, FILE *out, int *unexplained) {
+    static Table first, second;
+    int both = 0, swapped = 0, front = 0;
+    *unexplained = first.count = second.count = 0;
+    if (!read_table(&first, a) || !read_table(&second, b))
+        return false;
+    for (int i = 0; i < first.count; i++) {
+        const Row *x = &first.rows[i], *y = find(&second, x);
+        if (!y)
+            continue;
+        both++;
+        front += x->point.on_front && y->point.on_front;
+        if (x->point.on_front == y->point.on_front)
+            continue;
+        bool explained =
+            x->point.on_front ? is_explained(&first, x, &second, y) : is_explained(&second, y, &first, x);
+        fprintf(out, "%s: on the front of %s only; %s\n", x->name, x->point.on_front ? a : b,
+                explained ? "within the error bars" : "NOT explained by the error bars");
+        swapped++;
+        *unexplained += !explained;
+    }
+    fprintf(out, "%d settings in both, %d on both fronts, %d swapped, %d of these outside the error bars\n",
+            both, front, swapped, *unexplained);
+    return true;
+}

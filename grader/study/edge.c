@@ -1,0 +1,109 @@
+#include "edge.h"
+
+#include "pareto.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+// The part of the line in the square of four pixels; bit i of `lit`: the i-th of them, row by row, is lit.
+static double piece(unsigned lit) {
+    static const double diagonal = 0.70710678118654752;
+    switch (lit) {
+    case 0:
+    case 15:
+        return 0;
+    case 3:
+    case 12:
+    case 5:
+    case 10:
+        return 1;
+    case 6:
+    case 9:
+        return 2 * diagonal;
+    default:
+        return diagonal;
+    }
+}
+
+double edge_length(MetricsSize size, const int32_t *traced, const uint8_t *mask, const float *truth) {
+    double length = 0;
+    for (int y = 0; y + 1 < size.height; y++)
+        for (int x = 0; x + 1 < size.width; x++) {
+            ptrdiff_t first = (ptrdiff_t)y * size.width + x;
+            unsigned lit = 0;
+            bool counts = true;
+            for (int i = 0; i < 4; i++) {
+                ptrdiff_t at = first + i % 2 + (ptrdiff_t)(i / 2) * size.width;
+                lit |= (truth[at] >= 0.5f ? 1U : 0U) << i;
+                counts = counts && mask[at] && metrics_object(traced[at]) == metrics_object(traced[first]);
+            }
+            length += counts ? piece(lit) : 0;
+        }
+    return length;
+}
+
+double edge_error(const Metrics *metrics, double length) {
+    return length > 0 ? metrics->edge.mae * (double)metrics->all.pixels / length : 0;
+}
+
+static vec2s project(mat4s clip_from_world, vec3s p) {
+    vec4s clip = glms_mat4_mulv(clip_from_world, glms_vec4(p, 1));
+    return (vec2s){{clip.x / clip.w, clip.y / clip.w}};
+}
+
+// How the place of `p` in clip space moves along the world's directions right and up, by differences; column
+// by column.
+static mat2s moves(mat4s clip_from_world, vec3s p, vec3s right, vec3s up) {
+    const float step = 2e-3f;
+    mat2s m;
+    const vec3s along[2] = {right, up};
+    for (int i = 0; i < 2; i++) {
+        vec2s after = project(clip_from_world, glms_vec3_add(p, glms_vec3_scale(along[i], step / 2)));
+        vec2s before = project(clip_from_world, glms_vec3_sub(p, glms_vec3_scale(along[i], step / 2)));
+        m.col[i] = glms_vec2_scale(glms_vec2_sub(after, before), 1 / step);
+    }
+    return m;
+}
+
+// The largest factor by which a 2 x 2 matrix lengthens a vector.
+static double largest_stretch(mat2s m) {
+    double a = m.raw[0][0], b = m.raw[1][0], c = m.raw[0][1], d = m.raw[1][1];
+    double sum = a * a + b * b + c * c + d * d, det = a * d - b * c;
+    return sqrt((sum + sqrt(fmax(sum * sum - 4 * det * det, 0))) / 2);
+}
+
+// Pixels along the map's side around this point of a surface.
+static double side_at(const Ground *ground, const TruthHit *hit) {
+    const Camera *camera = &ground->truth.scene.camera;
+    float width = (float)ground->size.width, height = (float)ground->size.height;
+    mat4s seen = glms_mat4_mul(camera_clip_from_view(camera, width / height), camera_view_from_world(camera));
+    vec3s right = glms_vec3_normalize(glms_vec3_ortho(hit->face_normal));
+    vec3s up = glms_vec3_cross(hit->face_normal, right);
+    mat2s in_picture = moves(seen, hit->position, right, up);
+    mat2s in_map =
+        moves(scene_light_clip_from_world(&ground->truth.scene.lights[0]), hit->position, right, up);
+    mat2s picture_from_map = glms_mat2_mul(in_picture, glms_mat2_inv(in_map));
+    for (int i = 0; i < 2; i++) {
+        picture_from_map.raw[i][0] *= width; // both spaces are 2 wide
+        picture_from_map.raw[i][1] *= height;
+    }
+    return largest_stretch(picture_from_map);
+}
+
+static int compare(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return x < y ? -1 : x > y;
+}
+
+double edge_map_side(const Ground *ground) {
+    size_t pixels = (size_t)ground->size.width * (size_t)ground->size.height, count = 0;
+    double *sides = calloc(pixels, sizeof *sides);
+    for (size_t i = 0; sides && i < pixels; i++)
+        if (ground->distance[i] < 1 && ground->facing[i] > METRICS_LEAST_FACING)
+            sides[count++] = side_at(ground, &ground->picture.hits[i]);
+    if (count > 0)
+        qsort(sides, count, sizeof *sides, compare);
+    double side = count > 0 ? sides[count * 95 / 100] : 0;
+    free(sides);
+    return side;
+}

@@ -1,0 +1,56 @@
+// What the study found out about one setting, and about all settings of a scene.
+#pragma once
+
+#include "pareto.h"
+#include "scenes.h"
+#include "state.h"
+
+// What a frame costs on any machine, as the setting has it.
+typedef struct Cost {
+    double taps;      // lookups of a pixel in the map or atlas; with early-out the mean over the picture
+    double texels;    // of the map or the atlas
+    double fragments; // of the shadow volumes, hidden or not
+    double rays;      // of a bake
+} Cost;
+
+typedef struct Finding {
+    Method method;
+    uint64_t key; // of its measurements and of its frame's picture
+    bool drawn;   // false: a submission that did not draw; `message` says why
+    char message[200];
+    StateErrors errors;
+    int frames;
+    double prepare_ms, prepare_mad, shade_ms,
+        shade_mad; // before the picture (map, volumes, bake), and the picture
+    Cost cost;
+    bool enough; // no interior error, and an edge that is off by at most FINDING_MOST_OFF
+    bool chosen; // the cheapest of ours that is enough
+} Finding;
+
+#define FINDING_MOST_OFF 0.5 // pixels
+
+typedef struct Findings {
+    const StudyScene *scene;
+    Finding findings[METHOD_MOST];
+    Point points[METHOD_MOST]; // of the findings; a negative time where nothing was drawn
+    int count;
+} Findings;
+
+// Sum of false shadow and false light, in the interior and in all of the picture.
+double finding_interior_error(const StateErrors *errors);
+double finding_error(const StateErrors *errors);
+
+// From errors and times to front, enough and chosen. `times` are scratch.
+void findings_judge(Findings *findings);
+
+// The finding that is chosen; NULL when none is enough.
+const Finding *findings_chosen(const Findings *findings);
+
+// The most expensive one of the front that is cheaper than the chosen one; NULL when there is none.
+const Finding *findings_next_cheaper(const Findings *findings);
+
+// One line: what this scene needs, and what the next cheaper setting gets wrong.
+void findings_tell(const Findings *findings, char *text, size_t size);
+
+// Median and MAD of all frames' times.
+void finding_time(Finding *finding, Point *point, const StateTime *times, int count);

@@ -1,0 +1,23 @@
+// Measures all settings of a scene: each one's error once, its times frame by frame in turn with the others.
+#pragma once
+
+#include "crew.h"
+#include "finding.h"
+#include "progress.h"
+
+typedef struct StudyPlan {
+    MetricsSize size;
+    int frames;         // of each setting
+    const char *output; // folder; pictures go to output/frames/KEY.png
+    Crew crew;
+    State state;
+    Progress progress;
+} StudyPlan;
+
+// Fills the findings of this scene with its settings, and those of the crew's submission behind them;
+// measures what the state does not hold. False with a message when something of ours fails; a submission that
+// does not draw is a finding.
+bool measure_scene(StudyPlan *plan, const StudyScene *scene, Findings *findings);
+
+// Does the scene have settings of this lab?
+bool measure_concerns(const StudyScene *scene, const char *lab);

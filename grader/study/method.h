@@ -1,0 +1,42 @@
+// One method in one setting, as the study draws it: a point of the chart.
+#pragma once
+
+#include "ground.h"
+
+#include <stdbool.h>
+
+enum { METHOD_NAME = 48, METHOD_MOST = 160 };
+
+typedef struct Method {
+    const char *lab;        // whose passes draw it: "05"
+    const char *family;     // a colour of the chart: "box PCF"
+    char name[METHOD_NAME]; // the setting, without quotes: "32 samples, 1024 x 1024"
+    Setting setting;
+    int map_size; // texels along a side; 0: no shadow map
+    float kernel; // farthest tap from the point, texels
+    int taps;     // lookups of a pixel
+    int first;    // early-out: the taps after which it may stop; 0: none
+    bool volumes; // draws shadow volumes
+    bool baked;   // rays into an atlas, by the knobs of lab 08
+    bool submission;
+} Method;
+
+typedef struct MethodList {
+    Method methods[METHOD_MOST];
+    int count;
+} MethodList;
+
+// Adds a setting of `family` in lab `lab` to the list, seen in the visibility view; `format` is its name.
+Method *method_add(MethodList *list, const char *lab, const char *family, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+// The same for a method with a shadow map; the map's size becomes a knob and the end of the name.
+Method *method_add_map(MethodList *list, const char *lab, const char *family, int map_size,
+                       const char *format, ...) __attribute__((format(printf, 5, 6)));
+
+// The settings of each scene of scenes.c, after the phenomenon that they show.
+void methods_of_bias(MethodList *list);
+void methods_of_edges(MethodList *list);
+void methods_of_penumbra(MethodList *list); // needs the matched kernel SCENES_KERNEL
+void methods_of_volumes(MethodList *list);
+void methods_of_occlusion(MethodList *list);

@@ -1,0 +1,33 @@
+// Points of time and error: their noise, and which of them no other one beats. Pure functions.
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct Point {
+    double ms, mad; // median of the frames' times and its error bar to both sides (MAD)
+    double error;   // 0..1
+    bool on_front;
+} Point;
+
+// The smallest relative difference of two errors that counts: less may come from the truth's own samples.
+#define PARETO_ERROR_NOISE 0.01
+
+// Median of `count` > 0 values, the mean of the middle two where their number is even. Sorts the values.
+double pareto_median(double *values, int count);
+
+// Median absolute deviation from the median (Hampel: The Influence Curve and Its Role in Robust Estimation,
+// JASA 1974). Overwrites the values.
+double pareto_mad(double *values, int count);
+
+// Are a's times below b's, error bars included?
+bool pareto_surely_faster(const Point *a, const Point *b);
+
+// Do the error bars of their times overlap?
+bool pareto_bars_overlap(const Point *a, const Point *b);
+
+// Does a dominate b: it is not slower and errs no more, and one of the two by more than the noise?
+bool pareto_dominates(const Point *a, const Point *b);
+
+// Sets on_front of those points that no other one dominates. Points with a negative time do not take part.
+void pareto_mark(Point *points, size_t count);

@@ -1,0 +1,72 @@
+// chart.mjs PAGE: the page of a study, by keyboard and by mouse.
+import { pathToFileURL } from 'node:url';
+import { check, finish, launch, open, violations } from './browser.mjs';
+
+const url = pathToFileURL(process.argv[2]).href;
+const browser = await launch();
+
+for (const look of [{}, { dark: true }, { width: 360, height: 700 }]) {
+    const page = await open(browser, url, look);
+    const name = JSON.stringify(look);
+    await page.waitForFunction(() => document.querySelectorAll('canvas').length > 0);
+    check(`${name}: no error, dialog or request`, page.misdeeds.length === 0, page.misdeeds.join('\n    '));
+    const found = await violations(page);
+    check(`${name}: axe-core`, found === '', found);
+    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    check(`${name}: no scrolling sideways`, overflow <= 0, `${overflow} pixels too wide`);
+    await page.context().close();
+}
+
+const page = await open(browser, url);
+const points = page.locator('[role=option]');
+const title = () => page.locator('h3').first().innerText();
+const named = async (point) => (await point.getAttribute('aria-label')).split(', lab ')[0];
+const count = await points.count();
+check('the table holds each point', (await page.locator('tbody tr').count()) > count && count > 10, `${count} points`);
+
+// How many pixels of the error's picture are more blue than red, and the other way round.
+const tinted = async () => {
+    await page.waitForTimeout(300); // pictures are decoded aside
+    return page.evaluate(() => {
+        const canvas = document.querySelector('canvas'), { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+        const tints = { blue: 0, yellow: 0 };
+        for (let i = 0; i < data.length; i += 4) {
+            tints.blue += data[i + 2] > data[i] + 60;
+            tints.yellow += data[i] > data[i + 2] + 60;
+        }
+        return tints;
+    });
+};
+
+// By mouse: z-pass takes light for shadow nearly everywhere; z-fail errs nowhere.
+const wrong = page.locator('[aria-label^="z-pass"]').first(), right = page.locator('[aria-label^="z-fail"]').first();
+await wrong.click({ force: true });
+check('a click shows the point', (await title()).startsWith(await named(wrong)), await title());
+const dark = await tinted();
+await right.click({ force: true });
+check('a click shows another point', (await title()).startsWith(await named(right)), await title());
+const exact = await tinted();
+check('false shadow is blue', dark.blue > 1000 && exact.blue + exact.yellow < 20, `${JSON.stringify(dark)} ${JSON.stringify(exact)}`);
+
+// By keyboard, from the start: Tab reaches the one point that is selected, the arrows move on.
+await page.locator('#shade').focus();
+await page.keyboard.press('Tab');
+const focused = () => page.evaluate(() => document.activeElement.getAttribute('aria-label'));
+check('Tab reaches the selected point', (await focused()) === (await right.getAttribute('aria-label')), await focused());
+await page.keyboard.press('Home');
+check('Home shows the fastest', (await title()).startsWith(await named(points.first())), await title());
+await page.keyboard.press('ArrowRight');
+check('an arrow shows the next', (await title()).startsWith(await named(points.nth(1))), await title());
+await page.keyboard.press('End');
+check('End shows the slowest', (await title()).startsWith(await named(points.last())), await title());
+const stops = await page.locator('[role=option][tabindex="0"]').count();
+check('one point of the chart is a stop of Tab', stops === 1, `${stops}`);
+
+// The time of the picture alone: other times, the same setting stays selected.
+const before = await title(), label = await focused();
+await page.locator('#shade').check();
+const after = await page.locator('[aria-selected=true]').getAttribute('aria-label');
+check('the other time is shown for the same setting', (await title()) === before && after !== label, `${label} ${after}`);
+check('nothing went wrong', page.misdeeds.length === 0, page.misdeeds.join('\n    '));
+await browser.close();
+finish();

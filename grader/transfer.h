@@ -1,0 +1,9 @@
+// Whole blocks of bytes over a pipe.
+#pragma once
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// Reads or writes exactly `size` bytes, waiting for them. False when the other end is closed.
+bool transfer_read(int descriptor, void *data, size_t size);
+bool transfer_write(int descriptor, const void *data, size_t size);

@@ -1,0 +1,61 @@
+// The window's inside: three feeds, and the picture that they make together. Nothing here waits for a feed.
+#pragma once
+
+#include "feed.h"
+#include "state.h"
+#include "watch.h"
+
+#include <stdbool.h>
+
+typedef struct AppOptions {
+    char lab[3];                                 // "05"
+    const char *submission, *scene, *screenshot; // NULL: not given
+    uint64_t seed;
+    Show show;
+    double quit_after, seconds; // 0: never; that a frame of mine may take
+    Request request;            // size of the window in its own units, view and knobs
+    ContextKind context;
+    bool help, against_truth, bare; // bare: without text
+} AppOptions;
+
+typedef struct App {
+    const AppOptions *options;
+    Rubric rubric;           // without checks when there is no solution here
+    char folder[FILES_PATH]; // mine
+    Watch watches[2];        // of mine, of the reference
+    Feed feeds[FEED_COUNT];
+    FeedNews news[FEED_COUNT];
+    char absent[FEED_COUNT][200]; // why a feed does not run; "" when it does
+    Image pictures[FEED_COUNT];
+    bool heard;                 // the last tick has changed the news
+    uint64_t taken[FEED_COUNT]; // number of the picture in `pictures`
+    uint64_t asked[FEED_COUNT]; // number of the last request to each
+    Request request;
+    uint64_t number; // of `request`
+    State state;
+    Description table; // of mine or, until it has one, of the reference
+    Image composed;
+    State shown; // when it was composed
+    Difference difference;
+    bool settled;        // `composed` is what the state asks for, as far as it can be had
+    double last, looked; // process_now of the last tick, of the last look at the files
+    char notice[200];    // for a while: what a key has done
+    double notice_until;
+} App;
+
+// Finds the lab and starts the feeds; `wake` is called from their threads. False with a message.
+bool app_create(App *app, const AppOptions *options, void (*wake)(void));
+void app_destroy(App *app); // accepts a zeroed app
+
+// Looks for new pictures and files, asks for what the state needs, at this size in pixels. True when
+// `composed` is new.
+bool app_tick(App *app, int width, int height);
+
+// Makes all feeds build and start again.
+void app_renew(App *app);
+
+// The feed whose picture is "the other one" now.
+FeedKind app_other(const App *app);
+
+// Says for a few seconds what a key has done.
+void app_notice(App *app, const char *format, ...) __attribute__((format(printf, 2, 3)));

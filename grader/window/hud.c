@@ -1,0 +1,186 @@
+#include "hud.h"
+
+#include "check.h"
+#include "keys.h"
+#include "knob_step.h"
+#include "lines.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const Color white = {255, 255, 255, 255}, dim = {186, 192, 200, 255}, accent = {255, 214, 90, 255};
+static const Color panel = {12, 14, 18, 196}, alarm = {112, 20, 24, 232};
+static const char *const names[FEED_COUNT] = {"mine", "reference", "truth"};
+static const double PATIENCE = 1; // seconds until the text says that a frame is late
+
+static const char *show_name(const State *state) {
+    static const char *const shows[2][SHOW_COUNT] = {
+        {"mine", "reference", "mine | reference", "difference to the reference", "truth"},
+        {"mine", "reference", "mine | truth", "difference to the truth", "truth"}};
+    return shows[state->against_truth][state->show];
+}
+
+static void add_knob(const App *app, int i, Lines *lines) {
+    char value[2 * PROTOCOL_LINE], line[LINES_LENGTH] = "";
+    const struct KnobText *knob = &app->table.knobs[i];
+    bool selected = i == app->state.selected;
+    knob_text(knob, state_knob(&app->state, knob), value, sizeof value);
+    check_append(line, sizeof line, "%c %-14s %s", selected ? '>' : ' ', knob->name, value);
+    lines_add(lines, selected ? accent : white, line);
+}
+
+static void add_state(const App *app, Lines *lines) {
+    char line[LINES_LENGTH] = "", what[LINES_LENGTH] = "";
+    check_append(line, sizeof line, "%s  %s", app->rubric.id, app->table.title);
+    lines_add(lines, white, line);
+    state_text(&app->state, &app->rubric, what, sizeof what);
+    line[0] = '\0';
+    check_append(line, sizeof line, "%s: %s", show_name(&app->state), what);
+    lines_add(lines, dim, line);
+    for (int i = 0; i < app->table.knob_count; i++)
+        add_knob(app, i, lines);
+}
+
+// "mine        12.3 ms  (shadow map 2.1, picture 10.2)": CPU times of the passes.
+static void add_times(const App *app, FeedKind kind, Lines *lines) {
+    const FeedNews *news = &app->news[kind];
+    const Description *table = &news->description;
+    char line[LINES_LENGTH] = "";
+    float sum = 0;
+    for (int i = 0; i < LAB_MAX_PASSES; i++)
+        sum += news->milliseconds[i];
+    if (news->pictures == 0 || (kind == FEED_TRUTH && !state_needs_truth(&app->state)))
+        return;
+    check_append(line, sizeof line, "%-10s %6.1f ms", names[kind], (double)sum);
+    for (int i = 0; i < table->pass_count && table->pass_count > 1; i++)
+        check_append(line, sizeof line, "%s%s %.1f", i ? ", " : "  (", table->passes[i],
+                     (double)news->milliseconds[i]);
+    lines_add(lines, dim, table->pass_count > 1 ? strcat(line, ")") : line);
+}
+
+static void add_pixel(const App *app, const int cursor[2], Lines *lines) {
+    char line[LINES_LENGTH] = "";
+    const FeedKind kinds[2] = {FEED_MINE, app_other(app)};
+    for (int i = 0; i < 2; i++) {
+        const Image *image = &app->pictures[kinds[i]];
+        if (cursor[0] < 0 || cursor[1] < 0 || cursor[0] >= image->width || cursor[1] >= image->height)
+            continue;
+        const uint8_t *at = image->rgba + image_at(image, cursor[0], cursor[1]);
+        if (!line[0])
+            check_append(line, sizeof line, "pixel %d, %d:", cursor[0], cursor[1]);
+        check_append(line, sizeof line, "  %s %d %d %d", names[kinds[i]], at[0], at[1], at[2]);
+    }
+    lines_add(lines, dim, line);
+}
+
+static void add_difference(const App *app, Lines *lines) {
+    const Difference *difference = &app->difference;
+    double percent = app->composed.width * (double)app->composed.height / 100;
+    char line[LINES_LENGTH] = "";
+    if (app->state.show != SHOW_DIFFERENCE || percent <= 0)
+        return;
+    if (difference->brighter + difference->darker + difference->other == 0)
+        check_append(line, sizeof line, "no pixel differs");
+    else
+        check_append(line, sizeof line,
+                     "%% of pixels: %.2f too bright (yellow), %.2f too dark (blue), %.2f other colour",
+                     (double)difference->brighter / percent, (double)difference->darker / percent,
+                     (double)difference->other / percent);
+    lines_add(lines, accent, line);
+}
+
+static void add_late(const App *app, FeedKind kind, Lines *lines) {
+    const FeedNews *news = &app->news[kind];
+    char line[LINES_LENGTH] = "";
+    double late = news->busy_since > 0 ? process_now() - news->busy_since : 0;
+    if (late < PATIENCE)
+        return;
+    check_append(line, sizeof line, "%s: %s for %.0f s", names[kind],
+                 news->building ? "compiling" : "drawing", late);
+    if (kind == FEED_MINE && !news->building)
+        check_append(line, sizeof line, "; it is stopped after %.0f s", app->options->seconds);
+    lines_add(lines, accent, line);
+}
+
+// What is wrong with mine, or with the other one that is looked at.
+static void add_problems(const App *app, Lines *lines) {
+    for (FeedKind kind = 0; kind < FEED_COUNT; kind++) {
+        const FeedNews *news = &app->news[kind];
+        char line[LINES_LENGTH] = "";
+        if (kind != FEED_MINE && kind != app_other(app))
+            continue;
+        if (news->problem[0]) {
+            check_append(line, sizeof line, "%s: %s", names[kind],
+                         news->dead       ? "stopped; it starts again when you save, or with F5"
+                         : news->outdated ? "the newest files do not work; this is what drew before"
+                                          : "not drawn");
+            lines_add(lines, accent, line);
+        }
+        lines_add(lines, white, news->problem);
+        add_late(app, kind, lines);
+    }
+}
+
+static void put_help(Text *text, int width, int height) {
+    static Lines lines;
+    const char *keys, *meaning;
+    char line[LINES_LENGTH];
+    memset(&lines, 0, sizeof lines);
+    for (int row = 0; keys_help(row, &keys, &meaning); row++) {
+        snprintf(line, sizeof line, "%-24s%s", keys, meaning);
+        lines_add(&lines, row % 2 ? dim : white, line);
+    }
+    float x = ((float)width - (float)lines.longest * text->advance) / 2 - text->advance;
+    lines_put(&lines, text, fmaxf(0, x), fmaxf(0, ((float)height - lines_height(&lines, text)) / 2),
+              (Color){12, 14, 18, 240});
+}
+
+static void put_split(Text *text, const App *app, int width, int height) {
+    float x = roundf(app->state.split * (float)width), half = roundf(text->advance / 6);
+    if (app->state.show == SHOW_SPLIT)
+        text_box(text, x - half, 0, 2 * half, (float)height, accent);
+}
+
+static int columns_of(const Text *text, int width) {
+    return (int)((float)width / text->advance) - 2;
+}
+
+void hud_put(Text *text, const App *app, int width, int height, const int cursor[2]) {
+    static Lines top, bottom, problems;
+    memset(&top, 0, sizeof top);
+    memset(&bottom, 0, sizeof bottom);
+    memset(&problems, 0, sizeof problems);
+    top.columns = bottom.columns = problems.columns = columns_of(text, width);
+    put_split(text, app, width, height);
+    add_problems(app, &problems);
+    if (app->state.text) {
+        add_state(app, &top);
+        lines_add(&bottom, accent, process_now() < app->notice_until ? app->notice : "");
+        lines_add(&bottom, accent, app->news[FEED_MINE].warning);
+        add_difference(app, &bottom);
+        for (FeedKind kind = 0; kind < FEED_COUNT; kind++)
+            add_times(app, kind, &bottom);
+        add_pixel(app, cursor, &bottom);
+        lines_add(&bottom, dim, "F1 keys");
+    }
+    float y = (float)height - lines_height(&bottom, text);
+    lines_put(&problems, text, 0, fmaxf(0, y - lines_height(&problems, text)), alarm);
+    lines_put(&bottom, text, 0, y, panel);
+    lines_put(&top, text, 0, 0, panel);
+    if (app->state.help)
+        put_help(text, width, height);
+}
+
+void hud_title(const App *app, char *title, size_t size) {
+    char what[LINES_LENGTH], value[2 * PROTOCOL_LINE];
+    state_text(&app->state, &app->rubric, what, sizeof what);
+    title[0] = '\0';
+    check_append(title, size, "%s %s - %s: %s", app->rubric.id, app->table.title, show_name(&app->state),
+                 what);
+    if (app->state.selected < app->table.knob_count) {
+        const struct KnobText *knob = &app->table.knobs[app->state.selected];
+        knob_text(knob, state_knob(&app->state, knob), value, sizeof value);
+        check_append(title, size, " - %s %s", knob->name, value);
+    }
+}

@@ -1,0 +1,67 @@
+#include "knob_step.h"
+
+#include "check.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SMALL_RANGE = 32, STEPS = 20, WIDE = 100, FINE = 10 };
+
+static bool is_whole(const struct KnobText *knob) {
+    return knob->low == floorf(knob->low) && knob->high == floorf(knob->high) &&
+           knob->value == floorf(knob->value);
+}
+
+// The next power of two, or 0 below 1.
+static float step_power(float value, int direction) {
+    if (direction > 0)
+        return value < 1 ? 1 : exp2f(floorf(log2f(value)) + 1);
+    return value <= 1 ? 0 : exp2f(ceilf(log2f(value)) - 1);
+}
+
+static float step_whole(const struct KnobText *knob, float value, int direction, bool fine) {
+    if (fine || knob->high - knob->low <= SMALL_RANGE)
+        return roundf(value) + (float)direction;
+    return step_power(value, direction);
+}
+
+static float step_real(const struct KnobText *knob, float value, int direction, bool fine) {
+    float share = fine ? 1.0F / FINE : 1;
+    if (knob->low > 0 && knob->high / knob->low >= WIDE)
+        return value * exp2f((float)direction * 0.5F * share);
+    float step = (knob->high - knob->low) / STEPS * share;
+    return step > 0 ? step * roundf((value + (float)direction * step) / step) : value;
+}
+
+float knob_step(const struct KnobText *knob, float value, int direction, bool fine) {
+    float next =
+        is_whole(knob) ? step_whole(knob, value, direction, fine) : step_real(knob, value, direction, fine);
+    return fminf(fmaxf(next, knob->low), knob->high);
+}
+
+void knob_choice(const struct KnobText *knob, float value, char *name, size_t size) {
+    name[0] = '\0';
+    for (const char *at = knob->unit; isdigit((unsigned char)*at);) {
+        char *end;
+        long number = strtol(at, &end, 10);
+        end += strspn(end, ": ");
+        size_t length = strcspn(end, ",");
+        if (number == lrintf(value))
+            snprintf(name, size, "%.*s", (int)length, end);
+        at = end + length + strspn(end + length, ", ");
+    }
+}
+
+void knob_text(const struct KnobText *knob, float value, char *text, size_t size) {
+    char choice[PROTOCOL_LINE];
+    knob_choice(knob, value, choice, sizeof choice);
+    text[0] = '\0';
+    if (choice[0])
+        check_append(text, size, "%g: %s", (double)value, choice);
+    else
+        check_append(text, size, "%.4g%s%s", (double)value, knob->unit[0] ? " " : "", knob->unit);
+    check_append(text, size, "  (%g..%g)", (double)knob->low, (double)knob->high);
+}

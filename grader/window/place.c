@@ -1,0 +1,15 @@
+#include "place.h"
+
+#include <stdbool.h>
+
+Place place_picture(int width, int height, int window_width, int window_height, int pixel) {
+    Place place = {.width = width * pixel, .height = height * pixel};
+    if (width != window_width / pixel || height != window_height / pixel) {
+        bool wide = (long)width * window_height > (long)height * window_width;
+        place.width = wide ? window_width : (int)((long)width * window_height / height);
+        place.height = wide ? (int)((long)height * window_width / width) : window_height;
+    }
+    place.x = (window_width - place.width) / 2;
+    place.y = (window_height - place.height) / 2;
+    return place;
+}

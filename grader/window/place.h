@@ -1,0 +1,11 @@
+// Where the picture lies in the window. Pure.
+#pragma once
+
+// What of the window a picture covers, pixels; y upwards, as GL has it.
+typedef struct Place {
+    int x, y, width, height;
+} Place;
+
+// Where a picture of this size lies: in the middle, each of its pixels enlarged `pixel` times when the
+// picture is the one for this window, else (until the next one comes) stretched as far as it fits.
+Place place_picture(int width, int height, int window_width, int window_height, int pixel);

@@ -1,0 +1,67 @@
+#include "watch.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+typedef struct Look {
+    const char *folder;
+    uint64_t hash;
+} Look;
+
+bool watch_is_source(const char *name) {
+    static const char *const ends[] = {".c", ".h", ".vert", ".frag", ".geom", ".glsl"};
+    const char *dot = strrchr(name, '.');
+    for (unsigned i = 0; dot && i < sizeof ends / sizeof ends[0]; i++)
+        if (strcmp(dot, ends[i]) == 0)
+            return true;
+    return false;
+}
+
+// FNV-1a, as in derive.c, word by word.
+static void add(uint64_t *hash, uint64_t word) {
+    *hash = (*hash ^ word) * 0x100000001b3u;
+}
+
+static void look_at(const char *name, void *context) {
+    Look *look = context;
+    struct stat info = {0};
+    char path[FILES_PATH];
+    if (!watch_is_source(name))
+        return;
+    files_join(path, look->folder, name);
+    if (stat(path, &info) != 0)
+        return;
+    for (const char *at = name; *at; at++)
+        add(&look->hash, (unsigned char)*at);
+    add(&look->hash, (uint64_t)info.st_size);
+    add(&look->hash, (uint64_t)info.st_ino);
+    add(&look->hash, (uint64_t)info.st_mtim.tv_sec);
+    add(&look->hash, (uint64_t)info.st_mtim.tv_nsec);
+}
+
+static uint64_t fingerprint(const Watch *watch) {
+    Look look = {.hash = 0xcbf29ce484222325u};
+    for (int i = 0; i < WATCH_FOLDERS; i++) {
+        look.folder = watch->folders[i];
+        if (look.folder[0])
+            files_list(look.folder, look_at, &look);
+    }
+    return look.hash;
+}
+
+void watch_begin(Watch *watch, const char *folder, const char *other) {
+    snprintf(watch->folders[0], FILES_PATH, "%s", folder);
+    snprintf(watch->folders[1], FILES_PATH, "%s", other);
+    watch->taken = watch->seen = fingerprint(watch);
+}
+
+bool watch_changed(Watch *watch) {
+    uint64_t now = fingerprint(watch);
+    bool still = now == watch->seen;
+    watch->seen = now;
+    if (!still || now == watch->taken)
+        return false;
+    watch->taken = now;
+    return true;
+}

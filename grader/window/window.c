@@ -1,0 +1,147 @@
+#include "window.h"
+
+#include "check.h"
+#include "home.h"
+#include "hud.h"
+#include "shader_source.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <math.h>
+#include <string.h>
+
+static const float FONT_HEIGHT = 15; // at a scale of 1
+
+static void on_error(int code, const char *text) {
+    (void)code;
+    check_fail("the window: %s", text);
+}
+
+static void ask_for_context(void) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_SRGB_CAPABLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+}
+
+bool window_open(Window *window, int width, int height) {
+    static char shaders[FILES_PATH], own_shaders[FILES_PATH];
+    memset(window, 0, sizeof *window);
+    glfwSetErrorCallback(on_error);
+    if (!glfwInit())
+        return check_fail("no window can be opened: is there a display?");
+    ask_for_context();
+    window->handle = glfwCreateWindow(width, height, "Shadow Lab", NULL, NULL);
+    if (!window->handle)
+        return check_fail("no window with OpenGL 4.1 can be opened");
+    glfwMakeContextCurrent(window->handle);
+    glfwSwapInterval(1);
+    home_path(shaders, "shaders");
+    home_path(own_shaders, "grader/window");
+    shader_source_folders(own_shaders, shaders);
+    return gl_load((GLADloadfunc)glfwGetProcAddress) && screen_create(&window->screen) &&
+           window_measure(window);
+}
+
+void window_close(Window *window) {
+    if (window->handle) {
+        text_destroy(&window->text);
+        screen_destroy(&window->screen);
+        glfwDestroyWindow(window->handle);
+    }
+    window->handle = NULL;
+    glfwTerminate();
+}
+
+bool window_measure(Window *window) {
+    float x = 1, y = 1;
+    glfwGetFramebufferSize(window->handle, &window->width, &window->height);
+    glfwGetWindowContentScale(window->handle, &x, &y);
+    if (x == window->scale)
+        return true;
+    window->scale = x;
+    text_destroy(&window->text);
+    return text_create(&window->text, FONT_HEIGHT * x);
+}
+
+int window_pixel(const Window *window, int pixel) {
+    return pixel * (int)fmaxf(1, roundf(window->scale));
+}
+
+// Where the picture lies.
+static Place place(const Window *window, int pixel) {
+    return place_picture(window->screen.width, window->screen.height, window->width, window->height,
+                         window_pixel(window, pixel));
+}
+
+void window_find(const Window *window, int pixel, double x, double y, int found[2]) {
+    int units_x, units_y;
+    found[0] = found[1] = -1;
+    if (window->screen.width == 0 || !glfwGetWindowAttrib(window->handle, GLFW_HOVERED))
+        return;
+    glfwGetWindowSize(window->handle, &units_x, &units_y);
+    Place at = place(window, pixel);
+    double left = x * window->width / fmax(units_x, 1) - at.x;
+    double top = y * window->height / fmax(units_y, 1) - (window->height - at.y - at.height);
+    found[0] = (int)floor(left * window->screen.width / fmax(at.width, 1));
+    found[1] = (int)floor(top * window->screen.height / fmax(at.height, 1));
+}
+
+static void draw_loupe(Window *window, const App *app, const int cursor[2]) {
+    enum { ENLARGED = 8, BORDER = 2 };
+    int pixel = app->state.pixel, side = window_pixel(window, pixel);
+    Place whole = place(window, pixel);
+    int size = (window->width < window->height ? window->width : window->height) / 5 * 2;
+    Place at = {.width = size, .height = size};
+    at.x = whole.x + cursor[0] * side - size / 2;
+    at.y = whole.y + whole.height - cursor[1] * side - size / 2;
+    text_box(&window->text, (float)(at.x - BORDER), (float)(window->height - at.y - size - BORDER),
+             (float)(size + 2 * BORDER), (float)(size + 2 * BORDER), (Color){255, 214, 90, 255});
+    text_draw(&window->text, window->width, window->height);
+    screen_loupe(&window->screen, cursor, ENLARGED * side, &at);
+    glViewport(0, 0, window->width, window->height);
+}
+
+static void draw_picture(const Window *window, const App *app) {
+    screen_draw(&window->screen, window->width, window->height, window_pixel(window, app->state.pixel));
+}
+
+void window_draw(Window *window, const App *app, const int cursor[2]) {
+    char title[400];
+    hud_title(app, title, sizeof title);
+    glfwSetWindowTitle(window->handle, title);
+    draw_picture(window, app);
+    if (app->state.loupe && window->screen.width > 0 && cursor[0] >= 0)
+        draw_loupe(window, app, cursor);
+    hud_put(&window->text, app, window->width, window->height, cursor);
+    text_draw(&window->text, window->width, window->height);
+    glfwSwapBuffers(window->handle);
+}
+
+bool window_save(Window *window, const App *app, const char *path) {
+    Image image = {0};
+    Place at = place(window, app->state.pixel);
+    draw_picture(window, app);
+    bool ok = screen_read(&image, &at) && image_write_png(&image, path);
+    image_destroy(&image);
+    return ok;
+}
+
+void window_change_full_screen(Window *window) {
+    int *was = window->before;
+    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+    if (glfwGetWindowMonitor(window->handle)) {
+        glfwSetWindowMonitor(window->handle, NULL, was[0], was[1], was[2], was[3], GLFW_DONT_CARE);
+    } else if (mode) {
+        glfwGetWindowPos(window->handle, &was[0], &was[1]);
+        glfwGetWindowSize(window->handle, &was[2], &was[3]);
+        glfwSetWindowMonitor(window->handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+}

@@ -1,0 +1,39 @@
+// The window itself: opened with OpenGL 4.1, its sizes, and what is drawn into it.
+#pragma once
+
+#include "app.h"
+#include "screen.h"
+#include "text.h"
+
+typedef struct GLFWwindow GLFWwindow;
+
+typedef struct Window {
+    GLFWwindow *handle;
+    Screen screen;
+    Text text;
+    float scale;       // of the monitor's contents: 2 on a HiDPI one
+    int width, height; // pixels
+    int before[4];     // place and size before full screen, window units
+} Window;
+
+// Opens it, unseen, with this size in window units. False with a message.
+bool window_open(Window *window, int width, int height);
+void window_close(Window *window); // accepts a zeroed window
+
+// Asks for the sizes again; text and pixels follow the monitor that the window is on. False with a message.
+bool window_measure(Window *window);
+
+// The side of a pixel of the picture, in those of the window, for the state's `pixel`.
+int window_pixel(const Window *window, int pixel);
+
+// The pixel of the picture at a place in window units.
+void window_find(const Window *window, int pixel, double x, double y, int found[2]);
+
+// Draws the picture and what is written over it. `cursor` as in hud_put.
+void window_draw(Window *window, const App *app, const int cursor[2]);
+
+// Writes the picture, as the window shows it but without text, to a PNG. False with a message.
+bool window_save(Window *window, const App *app, const char *path);
+
+// To full screen and back.
+void window_change_full_screen(Window *window);
