@@ -56,7 +56,7 @@ static void place(char path[FILES_PATH], const char *folder, uint64_t seed, cons
 }
 
 static void place_strip(char path[FILES_PATH], const char *folder, uint64_t seed, int c) {
-    char end[16];
+    char end[24];
     snprintf(end, sizeof end, "-%02d.png", c + 1);
     place(path, folder, seed, end);
 }
