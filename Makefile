@@ -160,7 +160,7 @@ $(ON_TRUTH): LIBS += -lembree3 -lpthread
 $(filter $(BUILD)/test_%,$(ON_TRUTH)): $(BUILD)/grader/tests/truth_points.o
 $(BUILD)/test_metrics: $(BUILD)/grader/truth/metrics.o
 $(BUILD)/grader/score.o: CFLAGS += -O3 # the vectors halve what a picture costs
-$(BUILD)/test_view: $(patsubst %,$(BUILD)/grader/window/%.o,compose knob_step orbit place state watch)
+$(BUILD)/test_view: $(patsubst %,$(BUILD)/grader/window/%.o,compose knob_step orbit place state)
 $(BUILD)/worker: $(WORKER) $(SERVERS) $(COMMON) $(GLAD)
 	$(CC) $(SANITIZE) -rdynamic -o $@ $^ $(LIBS)
 inside = $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/jail/inside/$(1)*.c))

@@ -24,7 +24,7 @@ static double wall_seconds(const Client *client) {
 
 bool client_start(Client *client) {
     char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
-    if (client->program)
+    if (client->program) // of ours, and outside
         home_build_path(worker, client->program);
     else
         jail_part(client->jail, "worker", worker);

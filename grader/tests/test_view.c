@@ -4,7 +4,8 @@
 #include "../window/orbit.h"
 #include "../window/place.h"
 #include "../window/state.h"
-#include "../window/watch.h"
+#include "changes.h"
+#include "description.h"
 #include "score.h"
 
 #include <math.h>
@@ -249,24 +250,24 @@ static void write_file(const char *folder, const char *name, const char *text) {
 
 static void test_watch(void **unused) {
     (void)unused;
-    static Watch watch;
+    static Changes watch;
     char folder[FILES_PATH], from[FILES_PATH], to[FILES_PATH];
     assert_true(files_make_temporary(folder));
     write_file(folder, "a.frag", "one");
-    watch_begin(&watch, folder, "");
-    assert_false(watch_changed(&watch));
+    changes_begin(&watch, folder, "");
+    assert_false(changes_found(&watch));
     write_file(folder, "notes.txt", "nobody draws this");
-    assert_false(watch_changed(&watch) || watch_changed(&watch));
+    assert_false(changes_found(&watch) || changes_found(&watch));
     write_file(folder, "a.frag", "three");
-    assert_false(watch_changed(&watch)); // perhaps not written to its end
-    assert_true(watch_changed(&watch));
-    assert_false(watch_changed(&watch));
+    assert_false(changes_found(&watch)); // perhaps not written to its end
+    assert_true(changes_found(&watch));
+    assert_false(changes_found(&watch));
     write_file(folder, "b", "as long"); // renamed over, as some editors save
     files_join(from, folder, "b");
     files_join(to, folder, "a.frag");
     assert_int_equal(rename(from, to), 0);
-    assert_false(watch_changed(&watch));
-    assert_true(watch_changed(&watch));
+    assert_false(changes_found(&watch));
+    assert_true(changes_found(&watch));
     files_remove(folder);
 }
 
