@@ -143,7 +143,7 @@ static void folder_of(char folder[FILES_PATH], const char *path) {
 }
 
 // The name of a file outlives a loss of power only when its folder was synced, too.
-static bool sync_folder(const char *folder) {
+bool files_sync_folder(const char *folder) {
     int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     bool ok = descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL);
     if (descriptor >= 0)
@@ -167,7 +167,7 @@ bool files_write_whole(const char *path, const char *text, bool replace) {
     bool ok = descriptor >= 0 && fchmod(descriptor, 0644) == 0 && write_synced(descriptor, text);
     if (descriptor >= 0 && close(descriptor) != 0)
         ok = false;
-    ok = ok && put(aside, path, replace) && sync_folder(folder);
+    ok = ok && put(aside, path, replace) && files_sync_folder(folder);
     if (!ok) {
         check_fail("%s cannot be written: %s", path, strerror(errno));
         unlink(aside);

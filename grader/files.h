@@ -26,6 +26,9 @@ bool files_write(const char *path, const char *text);
 // replaced, or left as it is when not `replace`. False with a message.
 bool files_write_whole(const char *path, const char *text, bool replace);
 
+// Makes what was made or renamed in a folder outlive a loss of power. False when it cannot.
+bool files_sync_folder(const char *folder);
+
 // How the names of files begin that files_write_whole has not finished.
 #define FILES_NEW ".new-"
 

@@ -30,6 +30,13 @@ bool result_done(const LabResult *lab) {
     return !lab->message[0];
 }
 
+bool result_was_drawn(const LabResult *lab) {
+    for (int c = 0; c < lab->check_count; c++)
+        if (lab->checks[c].yours[0].rgba)
+            return true;
+    return false;
+}
+
 double result_score(const Report *report) {
     double score = 0;
     for (int i = 0; i < report->lab_count; i++)

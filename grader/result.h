@@ -58,6 +58,9 @@ typedef enum Touch { TOUCH_TASK_MISSING, TOUCH_AS_SKELETON, TOUCH_CHANGED } Touc
 Touch result_touch(const CheckResult *check, const Variant *variants);
 // Is there nothing left to do: did every check pass that is not optional?
 bool result_done(const LabResult *lab);
+
+// Did the lab draw at least one frame?
+bool result_was_drawn(const LabResult *lab);
 double result_score(const Report *report);
 double result_max_score(const Report *report);
 void result_destroy_lab(LabResult *lab); // accepts a zeroed result

@@ -68,7 +68,7 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
         grade_begin(result, &examiner->rubric);
         grade_refuse(result, text);
     }
-    if (ok && examiner->exam)
+    if (ok && result_was_drawn(result)) // whatever the exam was drawn for before
         memcpy(report->renderer, examiner->exam->renderer, sizeof report->renderer);
     if (!session->keep)
         examiner_forget(examiner);

@@ -66,9 +66,20 @@ bool submission_open(Submission *submission, const char *folder) {
     return true;
 }
 
+// The folder of the name that it has in labs/, else the first "03-...".
+static bool find_lab(char folder[FILES_PATH], const char *parent, const char *id) {
+    char ours[FILES_PATH];
+    if (home_find_lab(ours, id)) {
+        files_join(folder, parent, strrchr(ours, '/') + 1);
+        if (is_folder(folder))
+            return true;
+    }
+    return home_find_lab_in(folder, parent, id) && is_folder(folder);
+}
+
 bool submission_find(const Submission *submission, const char *id, char folder[FILES_PATH]) {
     if (!submission->single)
-        return home_find_lab_in(folder, submission->folder, id) && is_folder(folder);
+        return find_lab(folder, submission->folder, id);
     memcpy(folder, submission->folder, FILES_PATH);
     return strcmp(submission->single_id, id) == 0;
 }

@@ -114,7 +114,11 @@ static bool make_folders(const char *output) {
     if (!files_make_folder(path))
         return false;
     files_join(path, output, "pages/");
-    return files_make_folder(path);
+    if (!files_make_folder(path))
+        return false;
+    files_join(path, output, "..");
+    files_sync_folder(path); // what is in OUT is synced with its files
+    return true;
 }
 
 static int processor_count(void) {

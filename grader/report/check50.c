@@ -1,19 +1,12 @@
 #include "report.h"
 
-static bool was_drawn(const LabResult *lab) {
-    for (int c = 0; c < lab->check_count; c++)
-        if (lab->checks[c].yours[0].rgba)
-            return true;
-    return false;
-}
-
 static json_t *plain_cause(const char *rationale) {
     return json_pack("{s:s, s:n, s:n, s:n}", "rationale", rationale, "help", "expected", "actual");
 }
 
 // The record that the lab's others depend on: where it fails, they are neither passed nor failed.
 static json_t *start_record(const LabResult *lab) {
-    bool drawn = was_drawn(lab);
+    bool drawn = result_was_drawn(lab);
     return json_pack("{s:o, s:o, s:b, s:[s], s:o, s:n}", "name", json_sprintf("lab%s", lab->id),
                      "description", json_sprintf("lab %s compiles and draws", lab->id), "passed", drawn,
                      "log", lab->message, "cause", drawn ? json_null() : plain_cause(lab->message),
@@ -31,7 +24,7 @@ static json_t *cause_of(const CheckResult *check) {
 
 static json_t *check_record(const LabResult *lab, int c) {
     const CheckResult *check = &lab->checks[c];
-    bool known = check->yours[0].rgba || was_drawn(lab);
+    bool known = check->yours[0].rgba || result_was_drawn(lab);
     return json_pack("{s:o, s:s, s:o, s:[o], s:o, s:o, s:{s:f, s:i}}", "name",
                      json_sprintf("lab%s_%d", lab->id, c + 1), "description", check->check->name, "passed",
                      known ? json_boolean(check->passed) : json_null(), "log",

@@ -51,7 +51,8 @@ stamps >"$work/stamps"
 grades "${common[@]}" --output "$work/killed" -j 2 --resume
 expect "a run that was killed is resumed" 0 "submissions, 0 not graded"
 cmp -s "$work/whole/grades.csv" "$work/killed/grades.csv" && ok || bad "killed and resumed: another grades.csv" "$(diff "$work/whole/grades.csv" "$work/killed/grades.csv")"
-[[ $(facts "$work/whole") == "$(facts "$work/killed")" ]] && ok || bad "killed and resumed: other records"
+[[ $(facts "$work/whole") == "$(facts "$work/killed")" ]] && ok ||
+    bad "killed and resumed: other records" "$(diff <(facts "$work/whole") <(facts "$work/killed"))"
 stamps | comm -13 - "$work/stamps" | grep -q . && bad "what was finished before is graded again ($before were)" || ok
 [[ -z $(find "$work/killed" -name '.new-*' -o -name work) ]] && ok || bad "a killed run leaves something" "$(find "$work/killed")"
 
@@ -84,6 +85,12 @@ wait
 grades --class "$class" --output "$work/array" --gather
 expect "some are missing" 3 "$((rows - 3)) not graded"
 grep -q '^"Ann Lee",100.00,100.00,passed$' "$work/array/grades.csv" && grep -q ',,,not graded$' "$work/array/grades.csv" && ok || bad "gathered" "$(cat "$work/array/grades.csv")"
+
+# Of two folders of a lab the one that has its name counts; a folder around it is stepped into.
+mkdir -p "$work/two/both/wrapped" && cp -r labs/03-shadow-map "$work/two/both/wrapped/03-a-try"
+cp -r solutions/03-shadow-map "$work/two/both/wrapped"
+grades --class "$work/two" --output "$work/twice" --lab 03
+expect "two folders of a lab" 0 "both: 100.00 of 100"
 
 # A fault of ours is nobody's 0: here our own solution is broken. It is tried again once it is mended.
 mkdir -p "$work/home/build" "$work/few/one" && cp -r solutions/03-shadow-map "$work/few/one"
