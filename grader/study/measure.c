@@ -143,7 +143,7 @@ static bool time_frame(StudyPlan *plan, const Ground *ground, Finding *finding, 
 // count.
 static bool take_turn(StudyPlan *plan, const Ground *ground, Finding *finding) {
     if (finding->method.submission)
-        client_begin(&plan->crew.submitted->client); // the others' turns are not its time
+        client_begin(&crew_get(&plan->crew, &finding->method)->client); // the others' turns are not its time
     bool ok = time_frame(plan, ground, finding, false);
     for (int i = 0; ok && i < TURN && finding->frames < plan->frames; i++) {
         ok = time_frame(plan, ground, finding, true);
