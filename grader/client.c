@@ -24,7 +24,10 @@ static double wall_seconds(const Client *client) {
 
 bool client_start(Client *client) {
     char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
-    jail_part(client->jail, client->program ? client->program : "worker", worker);
+    if (client->program) // of ours, and outside
+        home_build_path(worker, client->program);
+    else
+        jail_part(client->jail, "worker", worker);
     jail_part(client->jail, "shaders", shaders);
     home_build_path(cache, "cache/shaders");
     snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
@@ -75,7 +78,10 @@ static DrawResult explain_end(const Client *client, char *text, size_t size) {
     }
     check_append(text, size, "it crashed: %s (%s)", strsignal(WTERMSIG(status)),
                  sigabbrev_np(WTERMSIG(status)));
-    const char *place = strstr(process->text, "in "); // report_crash of the worker
+    const char *place =
+        strstr(process->text, "in "); // report_crash of the worker, after what the lab printed
+    while (place && strstr(place + 1, "in "))
+        place = strstr(place + 1, "in ");
     if (place)
         check_append(text, size, " %.300s", place);
     if (process->peak_mib > MEMORY_MIB / 2)

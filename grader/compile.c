@@ -19,7 +19,7 @@ static bool run_tool(Process *process, char *const *arguments, const char *folde
     char *environment[] = {path, "LC_ALL=C", out ? "TMPDIR=out" : "TMPDIR=.", NULL};
     const JailPlan plan = {
         .kind = JAIL_TOOLS,
-        .limits = {.wall_seconds = 20, .cpu_seconds = 10, .memory_mib = 2048, .file_mib = MAX_LIBRARY_MIB},
+        .limits = {.wall_seconds = 20, .cpu_seconds = 5, .memory_mib = 2048, .file_mib = MAX_LIBRARY_MIB},
         .folder = folder,
         .writable = out};
     if (!jail_start(jail, &plan, process, arguments, environment))

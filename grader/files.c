@@ -1,6 +1,7 @@
 #include "files.h"
 
 #include "check.h"
+#include "tidy.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -195,7 +196,10 @@ bool files_make_temporary(char path[FILES_PATH]) {
     if (!realpath(parent ? parent : "/tmp", whole))
         return check_fail("no temporary folder %s: %s", parent ? parent : "/tmp", strerror(errno));
     files_join(path, whole, "shadow-lab-XXXXXX");
-    return mkdtemp(path) || check_fail("no temporary folder %s: %s", path, strerror(errno));
+    if (!mkdtemp(path))
+        return check_fail("no temporary folder %s: %s", path, strerror(errno));
+    tidy_add(path);
+    return true;
 }
 
 bool files_make_folder(const char *path) {
@@ -217,6 +221,7 @@ static int remove_entry(const char *path, const struct stat *info, int kind, str
 
 void files_remove(const char *path) {
     nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
+    tidy_drop(path);
 }
 
 void files_join(char path[FILES_PATH], const char *a, const char *b) {

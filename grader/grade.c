@@ -6,11 +6,11 @@
 #include "progress.h"
 #include "recorded.h"
 #include "report/evidence.h"
+#include "tidy.h"
 
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 static bool add_labs(Session *session, const Options *options) {
@@ -52,6 +52,7 @@ static int grade_submission(Options *options) {
     static Session session;
     static Jail jail;
     Report report = {0};
+    tidy_on_signals();
     bool ok = open_jail(options, &jail);
     session.options = options->grade;
     session.options.evidence = options->output || options->format == REPORT_HTML;
@@ -69,11 +70,6 @@ static int grade_submission(Options *options) {
     return status;
 }
 
-static bool draw_seed(uint64_t *seed) {
-    INVARIANT(getrandom(seed, sizeof *seed, 0) == sizeof *seed);
-    return !recorded_only() || recorded_choose(*seed, seed);
-}
-
 int main(int count, char **arguments) {
     static Options options;
     if (!options_parse(&options, count, arguments)) {
@@ -81,7 +77,7 @@ int main(int count, char **arguments) {
         return EXIT_USAGE;
     }
     signal(SIGPIPE, SIG_IGN);
-    if (!options.seeded && !draw_seed(&options.grade.seed)) {
+    if (!options.seeded && !recorded_draw_seed(&options.grade.seed)) {
         fprintf(stderr, "grade: %s\n", check_message());
         return EXIT_COULD_NOT;
     }

@@ -63,8 +63,10 @@ static _Noreturn void run_child(const int *ends, char *const *arguments, char *c
         leave_us(limits, parent);
     else if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0)
         _exit(127);
-    if (chdir(folder) != 0)
+    if (chdir(folder) != 0) {
+        dprintf(STDERR_FILENO, "%s cannot be entered: %s\n", folder, strerror(errno));
         _exit(127);
+    }
     set_limits(limits);
     execvpe(arguments[0], arguments, environment);
     dprintf(STDERR_FILENO, "%s cannot be started: %s\n", arguments[0], strerror(errno));
@@ -236,6 +238,11 @@ bool process_exchange(Process *process, const void *request, size_t request_size
         return true;
     reap(process);
     return false;
+}
+
+void process_forget_output(Process *process) {
+    process->printed = 0;
+    process->text[0] = '\0';
 }
 
 void process_wait(Process *process) {

@@ -48,6 +48,9 @@ bool process_start(Process *process, char *const *arguments, char *const *enviro
 bool process_exchange(Process *process, const void *request, size_t request_size, void *reply,
                       size_t reply_size);
 
+// Forgets what it has printed so far.
+void process_forget_output(Process *process);
+
 // Waits for the process to end by itself (collecting what it prints) or to break a limit.
 void process_wait(Process *process);
 

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 
 // A check's frames lie one below the other in one PNG: of each variant the reference, and then what differs
 // from it, as the exclusive or with the reference, which is mostly 0. Other frames refer to theirs by its
@@ -20,12 +21,15 @@ bool recorded_only(void) {
     return !files_exists(solutions) && files_exists(recorded);
 }
 
-bool recorded_choose(uint64_t random, uint64_t *seed) {
+bool recorded_draw_seed(uint64_t *seed) {
     char path[FILES_PATH];
+    INVARIANT(getrandom(seed, sizeof *seed, 0) == sizeof *seed);
+    if (!recorded_only())
+        return true;
     home_path(path, "grader/recorded/seeds.json");
     json_t *seeds = json_load_file(path, 0, NULL);
     size_t count = json_array_size(seeds);
-    const char *text = count ? json_string_value(json_array_get(seeds, random % count)) : NULL;
+    const char *text = count ? json_string_value(json_array_get(seeds, *seed % count)) : NULL;
     if (text)
         *seed = strtoull(text, NULL, 10);
     json_decref(seeds);
@@ -52,7 +56,7 @@ static void place(char path[FILES_PATH], const char *folder, uint64_t seed, cons
 }
 
 static void place_strip(char path[FILES_PATH], const char *folder, uint64_t seed, int c) {
-    char end[16];
+    char end[24];
     snprintf(end, sizeof end, "-%02d.png", c + 1);
     place(path, folder, seed, end);
 }
@@ -154,8 +158,9 @@ bool recorded_save(Exam *exam, const char *folder) {
 
 // Cuts a frame out of the strip. False when there is no such frame.
 static bool cut(Image *image, const Image *strip, const Request *request, int base, int distance) {
-    size_t bytes = 4 * (size_t)request->width * (size_t)request->height, frames = image_bytes(strip) / bytes;
-    if (base < 0 || distance < 0 || strip->width != request->width || (size_t)(base + distance) >= frames ||
+    size_t bytes = 4 * (size_t)request->width * (size_t)request->height;
+    int frames = (int)(image_bytes(strip) / bytes);
+    if (base < 0 || distance < 0 || strip->width != request->width || base >= frames - distance ||
         !image_create(image, request->width, request->height))
         return false;
     const uint8_t *first = strip->rgba + (size_t)base * bytes, *from = first + (size_t)distance * bytes;

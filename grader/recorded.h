@@ -11,8 +11,8 @@
 // Is this copy of the project without solutions?
 bool recorded_only(void);
 
-// One of the recorded seeds, chosen by `random`. False with a message.
-bool recorded_choose(uint64_t random, uint64_t *seed);
+// A seed that nobody can foresee; where there are no solutions, one of those recorded. False with a message.
+bool recorded_draw_seed(uint64_t *seed);
 
 // Is this the name of a file that students get with the lab?
 bool recorded_is_handed_out(const Rubric *rubric, const char *name);

@@ -124,7 +124,8 @@ static int processor_count(void) {
 
 static bool grade_all(Class *class) {
     const Options *options = class->options;
-    int *jobs = calloc((size_t)(class->roll.count + options->only_count), sizeof *jobs), count;
+    size_t most = (size_t) class->roll.count + (size_t)options->only_count;
+    int *jobs = calloc(most, sizeof *jobs), count;
     INVARIANT(jobs);
     bool ok = choose(class, jobs, &count);
     if (ok) {

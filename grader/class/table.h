@@ -13,9 +13,11 @@ typedef struct Table {
     json_t **records; // one an entry, NULL where there is none
 } Table;
 
+// Reads the records of the roll's entries from OUT. Roll and plan must outlive the table.
 void table_read(Table *table, const char *output, const Roll *roll, const Plan *plan);
-void table_free(Table *table);
+void table_free(Table *table); // accepts a zeroed table
 
+// Has entry i a grade?
 bool table_is_graded(const Table *table, int i);
 
 // Why entry i is not graded.

@@ -12,8 +12,9 @@ typedef struct Ticker {
     double start;
 } Ticker;
 
+// Of `total` submissions, `earlier` were finished before.
 void ticker_begin(Ticker *ticker, FILE *out, int total, int earlier);
 
 // One more is finished. `name` is as escape_name gives it, `result` what is said about it.
 void ticker_step(Ticker *ticker, const char *name, const char *result, bool failed);
-void ticker_end(const Ticker *ticker);
+void ticker_end(const Ticker *ticker); // ends the line of the bar

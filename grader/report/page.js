@@ -11,7 +11,8 @@ for (const button of document.querySelectorAll('th button'))
         const head = button.closest('th'), body = head.closest('table').tBodies[0];
         const down = head.getAttribute('aria-sort') === 'ascending', column = head.cellIndex;
         const key = (row) => row.cells[column].dataset.key ?? row.cells[column].textContent;
-        const compare = (a, b) => (head.classList.contains('number') ? key(a) - key(b) : key(a) < key(b) ? -1 : key(a) > key(b) ? 1 : 0);
+        const numbers = head.classList.contains('number');
+        const compare = (a, b) => (numbers ? key(a) - key(b) : key(a) < key(b) ? -1 : key(a) > key(b) ? 1 : 0);
         for (const other of head.parentElement.cells) other.removeAttribute('aria-sort');
         head.setAttribute('aria-sort', down ? 'descending' : 'ascending');
         body.append(...[...body.rows].sort((a, b) => (down ? compare(b, a) : compare(a, b))));

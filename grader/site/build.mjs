@@ -17,7 +17,13 @@ const pages = [
 ];
 const listings = new Map(); // files of the project that a page links to, shown as they are
 
+process.on("uncaughtException", (error) => {
+  console.error(`site: ${error.message}`);
+  process.exit(1);
+});
+
 const site = {
+  partial: !existsSync("solutions"),
   picture(file) {
     const target = path.join("pictures", file.replace(/^(labs|build)\//, ""));
     mkdirSync(path.join(output, path.dirname(target)), { recursive: true });

@@ -4,7 +4,8 @@
 #include "row.h"
 #include "sight.h"
 
-enum { COUNTING_SIZE = 160, Z_PASS = 0, Z_FAIL = 1 }; // pixels each way; values of the knob "method"
+enum { COUNTING_SIZE = 160 };        // pixels each way
+enum { Z_PASS, Z_FAIL, Z_FAIL_CPU }; // the last: with the volumes' sides found on the CPU
 
 typedef struct Counting {
     Bench *bench;
@@ -19,7 +20,9 @@ typedef struct Counting {
 bool counting_begin(Probe *probe, const Counting *counting, const Scene *scene);
 
 // Keeps the frame when it is the worst of the curve.
-void counting_frame(const Counting *counting, const Probe *probe, double x);
+void counting_frame(const Counting *counting, const Probe *probe, double x, double badness);
 
-// Adds the share of wrong pixels, which must be `expected`, and the frame.
-void counting_add(const Counting *counting, const Probe *probe, double x, SightShare expected);
+// Adds the share of wrong pixels, which must be `expected`, and the frame. `fragile`: the share that another
+// method gets wrong here; where this one is always right, the frame with most of that is kept.
+void counting_add(const Counting *counting, const Probe *probe, double x, SightShare expected,
+                  double fragile);

@@ -80,7 +80,8 @@ static void write_axis(FILE *out, char axis, const char *label, bool logarithmic
 
 static void write_figure(FILE *out, const Figure *figure, int number) {
     for (int c = 0; c < figure->count; c++)
-        write_data(out, figure, number, c);
+        if (figure->curves[c].count)
+            write_data(out, figure, number, c);
     write_axis(out, 'x', figure->x_label, figure->log_x);
     write_axis(out, 'y', figure->y_label, figure->log_y);
     fputs(figure->log_y ? "unset offsets\nset title "
@@ -88,9 +89,13 @@ static void write_figure(FILE *out, const Figure *figure, int number) {
           out);
     write_quoted(out, figure->title);
     fprintf(out, " noenhanced\nset bmargin %d\nplot ", 5 + figure->count); // the key lies below
-    for (int c = 0; c < figure->count; c++)
-        write_curve(out, &figure->curves[c], number, c);
-    fputs("1/0 notitle\n", out);
+    int points = 0;
+    for (int c = 0; c < figure->count; c++) {
+        if (figure->curves[c].count)
+            write_curve(out, &figure->curves[c], number, c);
+        points += figure->curves[c].count;
+    }
+    fputs(points ? "1/0 notitle\n" : "[0:1] [0:1] 2 notitle\n", out);
 }
 
 void plot_name(char name[PLOT_NAME], const Row *row) {

@@ -9,9 +9,8 @@ static const float half_size = 4;
 
 // Lab 05 derives its polygon offset from the kernel; the sweep needs it as a knob.
 #define FACTOR_KNOB                                                                                          \
-    {"lab.c", "[KNOB_MAP_SIZE] = {\"map size\", \"texels\", 16, 4096, 256}}",                                \
-     "[KNOB_MAP_SIZE] = {\"map size\", \"texels\", 16, 4096, 256}, {\"factor\", \"slopes per texel\", 0, "   \
-     "64, 1}}"},                                                                                             \
+    {"lab.c", ".knobs = {",                                                                                  \
+     ".knobs = {[KNOB_MAP_SIZE + 1] = {\"factor\", \"slopes per texel\", 0, 64, 1}, "},                      \
     {                                                                                                        \
         "lab.c", "glPolygonOffset(2 * reach, 2)",                                                            \
             "glPolygonOffset(frame->knobs[KNOB_MAP_SIZE + 1] + 0 * reach, 2)"                                \

@@ -13,16 +13,14 @@ static const Change finite_far_plane = {
           ""}},
     .edit_count = 1};
 
-// The wrong pixels must be those whose ray's point at `depth` is in a volume; 0: none.
-static bool add_point(const Counting *method, const Scene *scene, double x, double depth) {
+// Where the method `fails`, wrong pixels must be those whose ray's point at `depth` is in a volume; else
+// none.
+static bool add_point(const Counting *method, const Scene *scene, double x, double depth, bool fails) {
     Probe probe;
-    SightShare share = {0};
-    bool ok = counting_begin(&probe, method, scene);
-    if (ok && depth == 0)
-        share = sight_share(&probe, NULL);
-    ok = ok && (depth == 0 || sight_share_at(&probe, depth, &share));
+    SightShare share;
+    bool ok = counting_begin(&probe, method, scene) && sight_share_at(&probe, depth, &share);
     if (ok)
-        counting_add(method, &probe, x, share);
+        counting_add(method, &probe, x, fails ? share : sight_share(&probe, NULL), share.share);
     probe_end(&probe);
     return ok;
 }
@@ -43,7 +41,7 @@ static bool sweep_eye(const Counting *method) {
         scene.camera.eye = vec3_make(x, 0, 4);
         scene.camera.target = vec3_make(x, 0, 0);
         scene.camera.near_plane = 0.05f;
-        ok = add_point(method, &scene, x, method->method == Z_PASS ? scene.camera.near_plane : 0);
+        ok = add_point(method, &scene, x, scene.camera.near_plane, method->method == Z_PASS);
     }
     return ok;
 }
@@ -62,8 +60,8 @@ static bool sweep_near(const Counting *method) {
     for (int i = 0; ok && i <= 16; i++) {
         Scene scene = wall_and_box(vec3_make(10, 0, 3), vec3_make(3, 0, 5), vec3_make(0.3f, 0.5f, 0.3f));
         scene.camera.near_plane = 0.5f + 0.5f * (float)i;
-        ok = add_point(method, &scene, scene.camera.near_plane,
-                       method->method == Z_PASS ? scene.camera.near_plane : 0);
+        ok = add_point(method, &scene, scene.camera.near_plane, scene.camera.near_plane,
+                       method->method == Z_PASS);
     }
     return ok;
 }
@@ -84,7 +82,7 @@ static bool sweep_far(const Counting *method, bool cut) {
     for (size_t i = 0; ok && i < sizeof behind / sizeof *behind; i++) {
         Scene scene = wall_and_box(vec3_make(10, 0, 10), vec3_make(2, 0, 2), vec3_make(0.5f, 0.8f, 0.5f));
         scene.camera.far_plane = 10 + behind[i];
-        ok = add_point(method, &scene, behind[i], cut ? scene.camera.far_plane : 0);
+        ok = add_point(method, &scene, behind[i], scene.camera.far_plane, cut);
     }
     return ok;
 }

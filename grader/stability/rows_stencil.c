@@ -110,7 +110,7 @@ static bool sweep_copies(const Counting *method, const Way *ways, int order, Cou
         probe_knob(&probe, "method", Z_PASS);
         ok = ok && probe_draw(&probe);
         if (ok)
-            counting_add(method, &probe, copies, wrong_counts(&probe, ways, copies, order, count));
+            counting_add(method, &probe, copies, wrong_counts(&probe, ways, copies, order, count), 0);
         probe_end(&probe);
     }
     return ok;

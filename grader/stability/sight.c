@@ -72,7 +72,7 @@ SightShare sight_share(const Probe *probe, const uint8_t *flags) {
             outline += probe->ground.distance[i] <= 0.5f ||
                        (flags && at_outline(probe, flags, i % width, i / width));
         }
-    return (SightShare){set / count, outline / count};
+    return (SightShare){set / count, outline / 2 / count};
 }
 
 bool sight_share_at(const Probe *probe, double depth, SightShare *share) {

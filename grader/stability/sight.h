@@ -22,9 +22,9 @@ bool sight_holds_at(const Scene *casters, vec3s ray, double depth);
 // How often the way between two points enters a caster's set, looked at in `steps` places.
 int sight_enters(const Scene *casters, vec3s from, vec3s to, int steps);
 
-// A share of the pixels that count in the probe's latest frame. What has a neighbour on the other side, of
-// the true shadow or of the share, lies at an outline, and rounding may put it on either: `tolerance` is the
-// share of such pixels.
+// A share of the pixels that count in the probe's latest frame. Rounding may move an outline, of the true
+// shadow or of the share, past one of the two pixels that it separates: `tolerance` is half the share of
+// pixels that have a neighbour on the other side.
 typedef struct SightShare {
     double share, tolerance;
 } SightShare;

@@ -4,6 +4,7 @@
 #include "derive.h"
 #include "home.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum { SECONDS = 600 }; // that a submission may draw for a study
@@ -37,6 +38,22 @@ bool artist_open_submission(Artist *artist, const char *id, const char *submissi
         files_join(folder, submission, ".");
     artist->client = (Client){.trust = TRUST_NOBODY, .jail = jail, .seconds = SECONDS};
     return derive(artist, folder);
+}
+
+bool artist_adapt(Artist *artist, const Change *change) {
+    INVARIANT(!artist->painter && !artist->client.started);
+    bool ok = true;
+    for (int i = 0; ok && i < change->edit_count; i++) {
+        char path[FILES_PATH];
+        files_join(path, artist->client.folder, change->edits[i].file);
+        char *text = files_read(path, DERIVE_MAX_FILE);
+        char *edited = text ? source_edit(text, &change->edits[i]) : NULL;
+        check_clear();
+        ok = !edited || files_write(path, edited);
+        free(text);
+        free(edited);
+    }
+    return ok;
 }
 
 bool artist_change(Artist *artist, const Change *change) {

@@ -20,6 +20,10 @@ bool artist_open(Artist *artist, const char *id);
 // it does not compile).
 bool artist_open_submission(Artist *artist, const char *id, const char *submission, const Jail *jail);
 
+// Applies the change's edits to a submission's shaders as far as their texts stand there. Before it first
+// draws. False with a message when a file cannot be written.
+bool artist_adapt(Artist *artist, const Change *change);
+
 // From now on the solution is drawn with this change; NULL: as it is. Ours only. `change` must outlive the
 // artist. False with a message when an edit does not apply or the result does not compile.
 bool artist_change(Artist *artist, const Change *change);

@@ -87,11 +87,10 @@ static json_t *picture(const char *path) {
     json_t *url = NULL;
     char *text = NULL;
     if (read_bytes(path, &bytes, &size)) {
-        FILE *out = open_memstream(&text, &length);
-        INVARIANT(out);
-        fputs("data:image/png;base64,", out);
-        page_base64(out, bytes, size);
-        fclose(out);
+        Page page = {.out = open_memstream(&text, &length)};
+        INVARIANT(page.out);
+        page_data(&page, "image/png", bytes, size);
+        fclose(page.out);
         url = json_string(text);
     }
     free(text);

@@ -7,11 +7,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+static bool open_artist(Artist *artist, const Crew *crew, const Method *method) {
+    if (method->submission)
+        return artist_open_submission(artist, method->lab, crew->submission, crew->jail) &&
+               (!method->change || artist_adapt(artist, method->change));
+    return artist_open(artist, method->lab) && artist_change(artist, method->change);
+}
+
 static Artist *hire(const Crew *crew, const Method *method) {
     Artist *artist = calloc(1, sizeof *artist);
     INVARIANT(artist);
-    if (method->submission ? artist_open_submission(artist, method->lab, crew->submission, crew->jail)
-                           : artist_open(artist, method->lab))
+    if (open_artist(artist, crew, method))
         return artist;
     artist_close(artist);
     free(artist);
@@ -19,15 +25,18 @@ static Artist *hire(const Crew *crew, const Method *method) {
 }
 
 Artist *crew_get(Crew *crew, const Method *method) {
-    if (method->submission)
-        return crew->submitted ? crew->submitted : (crew->submitted = hire(crew, method));
     for (int i = 0; i < crew->count; i++)
-        if (strcmp(crew->ours[i]->rubric.id, method->lab) == 0)
-            return crew->ours[i];
+        if (crew->members[i].submission == method->submission && crew->members[i].change == method->change &&
+            strcmp(crew->members[i].lab, method->lab) == 0)
+            return crew->members[i].artist;
     INVARIANT(crew->count < CREW_MOST);
     Artist *artist = hire(crew, method);
-    if (artist)
-        crew->ours[crew->count++] = artist;
+    if (!artist)
+        return NULL;
+    crew->members[crew->count].artist = artist;
+    crew->members[crew->count].lab = method->lab;
+    crew->members[crew->count].change = method->change;
+    crew->members[crew->count++].submission = method->submission;
     return artist;
 }
 
@@ -45,16 +54,10 @@ uint64_t crew_key(const Artist *artist) {
     return hash;
 }
 
-static void let_go(Artist *artist) {
-    if (artist)
-        artist_close(artist);
-    free(artist);
-}
-
 void crew_dismiss(Crew *crew) {
-    for (int i = 0; i < crew->count; i++)
-        let_go(crew->ours[i]);
-    let_go(crew->submitted);
-    crew->submitted = NULL;
+    for (int i = 0; i < crew->count; i++) {
+        artist_close(crew->members[i].artist);
+        free(crew->members[i].artist);
+    }
     crew->count = 0;
 }

@@ -1,14 +1,19 @@
-// Who draws a study's methods: one artist for each lab, and one for the submission.
+// Who draws a study's methods: one artist for each lab and each change of it, and the same of the submission.
 #pragma once
 
 #include "method.h"
 
-enum { CREW_MOST = 16 };
+enum { CREW_MOST = 32 };
 
 typedef struct Crew {
     const char *submission_lab, *submission; // NULL: there is none
     const Jail *jail;                        // for the submission; NULL: none
-    Artist *ours[CREW_MOST], *submitted;     // opened when they are first asked for
+    struct {
+        Artist *artist;
+        const char *lab;
+        const Change *change;
+        bool submission;
+    } members[CREW_MOST]; // hired when they are first asked for
     int count;
 } Crew;
 

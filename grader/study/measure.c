@@ -143,12 +143,12 @@ static bool time_frame(StudyPlan *plan, const Ground *ground, Finding *finding, 
 // count.
 static bool take_turn(StudyPlan *plan, const Ground *ground, Finding *finding) {
     if (finding->method.submission)
-        client_begin(&plan->crew.submitted->client); // the others' turns are not its time
+        client_begin(&crew_get(&plan->crew, &finding->method)->client); // the others' turns are not its time
     bool ok = time_frame(plan, ground, finding, false);
     for (int i = 0; ok && i < TURN && finding->frames < plan->frames; i++) {
         ok = time_frame(plan, ground, finding, true);
         finding->frames++;
-        progress_step(&plan->progress);
+        bar_step(&plan->bar);
     }
     return ok || excuse(finding);
 }
@@ -205,10 +205,9 @@ static bool measure_ground(StudyPlan *plan, const Ground *ground, Findings *find
         ok = find_errors(plan, ground, findings->scene, &findings->findings[i]);
     if (!ok)
         return false;
-    progress_begin(&plan->progress, findings->scene->name, count_known(plan, findings),
-                   plan->frames * findings->count);
+    bar_begin(&plan->bar, findings->scene->name, count_known(plan, findings), plan->frames * findings->count);
     ok = take_turns(plan, ground, findings);
-    progress_end(&plan->progress);
+    bar_end(&plan->bar);
     if (ok)
         sum_up(plan, ground, findings);
     return ok;

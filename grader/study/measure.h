@@ -3,7 +3,7 @@
 
 #include "crew.h"
 #include "finding.h"
-#include "progress.h"
+#include "bar.h"
 
 typedef struct StudyPlan {
     MetricsSize size;
@@ -11,7 +11,7 @@ typedef struct StudyPlan {
     const char *output; // folder; pictures go to output/frames/KEY.png
     Crew crew;
     State state;
-    Progress progress;
+    Bar bar;
 } StudyPlan;
 
 // Fills the findings of this scene with its settings, and those of the crew's submission behind them;

@@ -12,12 +12,13 @@ typedef struct Method {
     const char *family;     // a colour of the chart: "box PCF"
     char name[METHOD_NAME]; // the setting, without quotes: "32 samples, 1024 x 1024"
     Setting setting;
-    int map_size; // texels along a side; 0: no shadow map
-    float kernel; // farthest tap from the point, texels
-    int taps;     // lookups of a pixel
-    int first;    // early-out: the taps after which it may stop; 0: none
-    bool volumes; // draws shadow volumes
-    bool baked;   // rays into an atlas, by the knobs of lab 08
+    const Change *change; // the lab with a choice fixed when it is built, static; NULL: the lab as it is
+    int map_size;         // texels along a side; 0: no shadow map
+    float kernel;         // farthest tap from the point, texels
+    int taps;             // lookups of a pixel
+    int first;            // early-out: the taps after which it may stop; 0: none
+    bool volumes;         // draws shadow volumes
+    bool baked;           // rays into an atlas, by the knobs of lab 08
     bool submission;
 } Method;
 

@@ -13,7 +13,7 @@
 #include "compile.h"
 #include "home.h"
 
-#include <dirent.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -137,6 +137,11 @@ static const char *judge_frame(const Case *one, DrawResult result) {
         return strstr(message, "GOT THROUGH") ? NULL : "outside its attack does not get through";
     if (strstr(message, "GOT THROUGH"))
         return "an attack got through";
+    for (int i = 0; i < LAB_MAX_PASSES; i++)
+        if (!(one->reply.milliseconds[i] >= 0 && isfinite(one->reply.milliseconds[i])))
+            return "its times are no times";
+    if (memchr(one->reply.renderer, '\0', sizeof one->reply.renderer) == NULL)
+        return "the renderer's name does not end";
     if (strcmp(one->must, "timeout") == 0)
         return result == DRAW_TIMEOUT ? NULL : "it was not stopped after its time";
     if (strncmp(one->must, "lost ", 5) == 0)

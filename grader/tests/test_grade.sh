@@ -67,7 +67,7 @@ usage "no such folder" "no-such-folder is not a folder" no-such-folder
 usage "bad seed" "--seed takes a whole number" --seed -1 labs
 usage "large seed" "--seed takes a whole number" --seed 99999999999999999999999 labs
 usage "bad context" 'there is no context "glx"' --context glx labs
-usage "bad format" "--format takes text or json" --format xml labs
+usage "bad format" "--format takes text, json, html" --format xml labs
 usage "bad timeout" "--timeout takes seconds" --timeout 0 labs
 grades --help
 expect "help" 0 "exit status: 0 all passed"

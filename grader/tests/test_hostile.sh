@@ -109,6 +109,28 @@ EOF
 grades --lab 03 --seed 2 --format json "$work/replay"
 [[ $(field 'max(c["score"] for l in r["labs"] for c in l["checks"])') == 0.0 && $(field 'r["labs"][0]["message"]') == "" ]] && ok || bad "a replayed picture scores" "$out"
 
+# Ended from outside in the midst of it, by the user or by force, it leaves no process; by the user also no file.
+solved sleeper >/dev/null
+sed -i 's|^static void draw_picture.*|#include <unistd.h>\n&\n    sleep(1000);|' "$work/sleeper/$three/lab.c"
+for signal in INT TERM KILL; do
+    mkdir -p "$work/temporary-$signal" && chmod 755 "$work/temporary-$signal"
+    env --default-signal TMPDIR="$work/temporary-$signal" "$grade" --lab 03 --seed 1 "$work/sleeper" >/dev/null 2>&1 &
+    grader=$!
+    inside() { grep -ls "$work/temporary-$signal" /proc/[0-9]*/maps; }
+    for ((i = 0; i < 200; i++)); do
+        inside | grep -q . && break
+        sleep 0.05
+    done
+    ((i < 200)) || bad "$signal: nothing ever ran"
+    kill -"$signal" $grader
+    wait $grader 2>/dev/null
+    for ((i = 0; i < 40; i++)); do
+        [[ -z $(inside) && ($signal == KILL || -z $(ls "$work/temporary-$signal")) ]] && break
+        sleep 0.05
+    done
+    ((i < 40)) && ok || bad "$signal leaves something" "$(inside; ls "$work/temporary-$signal")"
+done
+
 # Which jail it was is said; the first that holds is taken; without one nothing is graded.
 without() { local lacking=$1; shift; status=0; out=$("$root/$BUILD/without" $lacking -- "$@" 2>"$work/errors") || status=$?; }
 both() { out+=$'\n'$(cat "$work/errors"); }

@@ -28,7 +28,7 @@ rm "$kit/common/leak.h"
 for file in grader/*.c grader/*/*.c common/*.c; do
     [[ ! -e $kit/$file ]] || cmp -s "$file" "$kit/$file" || bad "$file differs in the kit"
 done
-mkdir "$kit/build" && cp -r "$BUILD"/{grade,worker,include} "$kit/build" && cp "$BUILD"/jail_* "$kit/build"
+mkdir "$kit/build" && cp -r "$BUILD"/{grade,watch,worker,include} "$kit/build" && cp "$BUILD"/jail_* "$kit/build"
 half=$(solved half 03)
 sed -i 's/lit \* diffuse_specular/(0.5 + 0.5 * lit) * diffuse_specular/' "$half/03-shadow-map/shadow.frag"
 mistaken=$(solved mistaken 03)
@@ -54,8 +54,10 @@ rm "$kit"/grader/recorded/03-shadow-map/exam-1-02.png
 grades --lab 03 --seed 1 --trusted "$half"
 expect "a frame that is missing" 3 "exam-1-02.png"
 
-# Hints and reset.
-run() { status=0; out=$("$@" 2>&1) || status=$?; }
+# The watch, hints and reset.
+run() { status=0; out=$("$@" 2>&1 </dev/null) || status=$?; }
+run env SHADOW_LAB_PROGRESS="$work/progress" "$kit/build/watch" --lab 03 --seed 2
+expect "the watch" 1 "3.1"
 run "$kit/grader/hint" 3.2
 expect "hints" 0 "Hint 1 of 2 for task 3.2"
 cp "$half"/03-shadow-map/lab.c "$kit/labs/03-shadow-map"

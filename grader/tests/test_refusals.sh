@@ -7,7 +7,7 @@ copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{Makefile,common,shaders,labs,solutions,grader,.clang-format} "$copy"
 mkdir -p "$root/$BUILD/cache"
-cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,cache} "$copy/build" # with its time: the cache goes by the worker's
+cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 

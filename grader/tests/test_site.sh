@@ -85,7 +85,7 @@ expect "a page that is not accessible" 1 "broken picture" "axe image-alt" "axe b
 # The builder refuses what it cannot show, and leaves code alone.
 copy=$work/copy
 mkdir "$copy"
-cp -r README.md LICENSE common shaders labs grader "$copy"
+cp -r README.md LICENSE common shaders labs solutions grader "$copy"
 cd "$copy" || exit 1
 page=labs/03-shadow-map/README.md
 cp $page "$work/page"
@@ -95,6 +95,10 @@ expect "a wrong formula" 1 "$page: the formula" "is wrong"
 { cat "$work/page"; printf '\n[where?](nowhere.md)\n'; } >$page
 runs node grader/site/build.mjs "$work/none"
 expect "a link that leads nowhere" 1 "$page: the link to nowhere.md leads nowhere"
+mv solutions elsewhere
+runs node grader/site/build.mjs "$work/none"
+expect "the same in a kit, which lacks some files" 0 "pages"
+mv elsewhere solutions
 { cat "$work/page"; printf '\nPay $5 or `$HOME$`, `` `$x$` ``: $a_1 * b_2 * c$ and 6$.\n\n```sh\necho $1 $2\n```\n\n| $|x|$ | b |\n|---|---|\n| $y$ | $|z|$ |\n'; } >$page
 runs node grader/site/build.mjs "$work/none"
 expect "dollars in code and prose" 0

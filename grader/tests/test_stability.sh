@@ -80,7 +80,7 @@ expect "an unknown row" 2 "--row takes the number of a row, 1 to 31"
 suite --mistake "04"
 expect "a mistake without a name" 2 "--mistake takes NN:NAME"
 suite --row 2 --mistake "04:no such thing"
-expect "an unknown mistake" 1 "no mistake \"no such thing\""
+expect "an unknown mistake" 1 "no mistake \"no such thing\"" "1 of 1 rows fail"
 suite surplus
 expect "a surplus argument" 2 "\"surplus\" is not an option"
 suite --row 30 --output /proc/nowhere

@@ -1,11 +1,10 @@
-// The window's parts without GL: orbits, knobs, pictures put together, places, watched files, and the
-// description of a lab that a stranger's worker sends.
+// The window's parts without GL: orbits, knobs, pictures put together, places, states, watched files.
 #include "../window/compose.h"
 #include "../window/knob_step.h"
 #include "../window/orbit.h"
 #include "../window/place.h"
 #include "../window/state.h"
-#include "../window/watch.h"
+#include "changes.h"
 #include "description.h"
 #include "score.h"
 
@@ -222,6 +221,27 @@ static void test_state(void **unused) {
     assert_false(state_request(&state, 40, 30, &request));
 }
 
+// A check is named only as long as everything is as it asks.
+static void test_label(void **unused) {
+    (void)unused;
+    const Rubric rubric = {.check_count = 1,
+                           .checks = {{.name = "far",
+                                       .task = "3.8",
+                                       .view = "visibility",
+                                       .scene = "far floor",
+                                       .knobs = {{"map size", 64}},
+                                       .knob_count = 1}}};
+    char text[300];
+    State state;
+    state_begin(&state, &rubric);
+    state_step_check(&state, &rubric, 1);
+    state_text(&state, &rubric, text, sizeof text);
+    assert_string_equal(text, "visibility of \"far floor\", seed 1  [check 3.8: far]");
+    state_set_knob(&state, "map size", 128);
+    state_text(&state, &rubric, text, sizeof text);
+    assert_string_equal(text, "visibility of \"far floor\", seed 1");
+}
+
 static void write_file(const char *folder, const char *name, const char *text) {
     char path[FILES_PATH];
     files_join(path, folder, name);
@@ -230,47 +250,25 @@ static void write_file(const char *folder, const char *name, const char *text) {
 
 static void test_watch(void **unused) {
     (void)unused;
-    static Watch watch;
+    static Changes watch;
     char folder[FILES_PATH], from[FILES_PATH], to[FILES_PATH];
     assert_true(files_make_temporary(folder));
     write_file(folder, "a.frag", "one");
-    watch_begin(&watch, folder, "");
-    assert_false(watch_changed(&watch));
+    changes_begin(&watch, folder, "");
+    assert_false(changes_found(&watch));
     write_file(folder, "notes.txt", "nobody draws this");
-    assert_false(watch_changed(&watch) || watch_changed(&watch));
+    assert_false(changes_found(&watch) || changes_found(&watch));
     write_file(folder, "a.frag", "three");
-    assert_false(watch_changed(&watch)); // perhaps not written to its end
-    assert_true(watch_changed(&watch));
-    assert_false(watch_changed(&watch));
+    assert_false(changes_found(&watch)); // perhaps not written to its end
+    assert_true(changes_found(&watch));
+    assert_false(changes_found(&watch));
     write_file(folder, "b", "as long"); // renamed over, as some editors save
     files_join(from, folder, "b");
     files_join(to, folder, "a.frag");
     assert_int_equal(rename(from, to), 0);
-    assert_false(watch_changed(&watch));
-    assert_true(watch_changed(&watch));
+    assert_false(changes_found(&watch));
+    assert_true(changes_found(&watch));
     files_remove(folder);
-}
-
-// What a hostile worker may send.
-static void test_description(void **unused) {
-    (void)unused;
-    static Description bad;
-    memset(&bad, 'x', sizeof bad);
-    bad.knob_count = 1 << 20;
-    bad.pass_count = -5;
-    bad.title[0] = '\033';
-    bad.knobs[0].low = NAN;
-    bad.knobs[1].low = 5, bad.knobs[1].high = 1;
-    bad.knobs[2].low = 0, bad.knobs[2].high = 1, bad.knobs[2].value = INFINITY;
-    bad.knobs[3].low = 0, bad.knobs[3].high = 1, bad.knobs[3].value = 9;
-    description_clean(&bad);
-    assert_true(bad.knob_count == LAB_MAX_KNOBS && bad.pass_count == 0 && bad.stage_count == LAB_MAX_STAGES);
-    assert_int_equal(strlen(bad.title), sizeof bad.title - 1);
-    assert_true(bad.title[0] == '?');
-    assert_int_equal(strlen(bad.stages[LAB_MAX_STAGES - 1]), LAB_MAX_NAME - 1);
-    for (int i = 0; i < 2; i++)
-        assert_true(bad.knobs[i].low == 0 && bad.knobs[i].high == 0 && bad.knobs[i].value == 0);
-    assert_true(bad.knobs[2].value == 0 && bad.knobs[3].value == 1);
 }
 
 int main(void) {
@@ -278,6 +276,6 @@ int main(void) {
         cmocka_unit_test(test_camera),     cmocka_unit_test(test_limits),     cmocka_unit_test(test_light),
         cmocka_unit_test(test_knobs),      cmocka_unit_test(test_knob_texts), cmocka_unit_test(test_split),
         cmocka_unit_test(test_difference), cmocka_unit_test(test_places),     cmocka_unit_test(test_state),
-        cmocka_unit_test(test_watch),      cmocka_unit_test(test_description)};
+        cmocka_unit_test(test_label),      cmocka_unit_test(test_watch)};
     return cmocka_run_group_tests_name("view", tests, NULL, NULL);
 }

@@ -16,9 +16,9 @@ vec3s aim_origin(const TruthHit *hit) {
 
 static Aim aim_at_light(const Light *light) {
     vec3s forward = glms_vec3_sub(light->target, light->position);
-    if (light->kind == LIGHT_DIRECTIONAL)
-        return (Aim){.kind = AIM_DIRECTION, .value = glms_vec3_negate(forward), .limit = INFINITY};
-    return (Aim){.kind = AIM_POINT, .value = light->position, .front = forward, .limit = 1};
+    return light->kind == LIGHT_SPOT
+               ? (Aim){.kind = AIM_POINT, .value = light->position, .front = forward, .limit = 1}
+               : (Aim){.kind = AIM_DIRECTION, .value = glms_vec3_negate(forward), .limit = INFINITY};
 }
 
 // The unit square to the unit disc, areas kept.

@@ -1,8 +1,8 @@
 #include "desk.h"
 
-#include "changes.h"
 #include "check.h"
 #include "home.h"
+#include "todo.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -81,7 +81,7 @@ static int task_number(const char *task) {
 static bool find_todo(const Desk *desk, const char *task, char *place, size_t size) {
     char folder[FILES_PATH], inside[160];
     desk_lab_folder(desk, desk->current, folder);
-    if (!changes_find_todo(&desk->rubrics[desk->current], folder, task, inside, sizeof inside))
+    if (!todo_find(&desk->rubrics[desk->current], folder, task, inside, sizeof inside))
         return false;
     snprintf(place, size, "%s/%s/%s",
              strrchr(desk->folder, '/') ? strrchr(desk->folder, '/') + 1 : desk->folder,

@@ -1,5 +1,7 @@
 #include "screens.h"
 
+#include "recorded.h"
+
 #include <stdio.h>
 #include <string.h>
 
@@ -119,8 +121,9 @@ void screens_lab(Sheet *sheet, const Desk *desk, bool busy) {
     if (!broken && desk->focus.check >= 0)
         show_focus(sheet, desk);
     if (desk->verdict.done)
-        sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on; our solution, to compare: solutions/%s",
-                   strrchr(desk->rubrics[desk->current].folder, '/') + 1);
+        sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on%s%s",
+                   recorded_only() ? "." : "; our solution, to compare: solutions/",
+                   recorded_only() ? "" : strrchr(desk->rubrics[desk->current].folder, '/') + 1);
 }
 
 static void show_row(Sheet *sheet, const Desk *desk, int lab, bool marked) {

@@ -2,6 +2,7 @@
 #include "changes.h"
 #include "check.h"
 #include "home.h"
+#include "recorded.h"
 #include "screens.h"
 #include "terminal.h"
 #include "viewer.h"
@@ -13,7 +14,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/random.h>
 #include <unistd.h>
 
 enum { EXIT_DONE, EXIT_OPEN, EXIT_USAGE, EXIT_FAULT, LOOK_EVERY = 100, PLAIN_WIDTH = 100 };
@@ -31,8 +31,8 @@ typedef struct Watch {
     Desk desk;
     Bench bench;
     Viewer viewer;
-    uint64_t graded[RESULT_MAX_LABS],
-        seen[RESULT_MAX_LABS]; // marks of the files: when graded, when last seen
+    Changes changes[RESULT_MAX_LABS];
+    bool entered; // the lab on the desk has just come there, and is to be graded
     bool listing, dirty, end;
     int marked; // in the list
     bool color;
@@ -74,7 +74,8 @@ static bool parse(Options *options, int count, char **arguments) {
     const char *context = getenv("SHADOW_LAB_CONTEXT");
     home_path(labs, "labs");
     *options = (Options){.folder = labs, .bench.seconds = 20};
-    INVARIANT(getrandom(&options->bench.seed, sizeof options->bench.seed, 0) == sizeof options->bench.seed);
+    if (!recorded_draw_seed(&options->bench.seed))
+        return false;
     if (context && !context_parse(&options->bench.context, context))
         return false;
     opterr = 0;
@@ -91,18 +92,10 @@ static bool parse(Options *options, int count, char **arguments) {
     return optind >= count - 1 || check_fail("give at most one FOLDER");
 }
 
-static uint64_t mark_of(const Watch *watch, int lab) {
-    char folder[FILES_PATH];
-    desk_lab_folder(&watch->desk, lab, folder);
-    return changes_mark(&watch->desk.rubrics[lab], folder);
-}
-
-// Remembers how the files are before they are read: what is saved from now on is graded again.
 static void ask(Watch *watch) {
-    const int lab = watch->desk.current;
-    watch->graded[lab] = watch->seen[lab] = mark_of(watch, lab);
+    watch->entered = false;
     watch->dirty = true;
-    if (bench_ask(&watch->bench, lab))
+    if (bench_ask(&watch->bench, watch->desk.current))
         return;
     snprintf(watch->desk.message, sizeof watch->desk.message, "%s", check_message());
     check_clear();
@@ -111,36 +104,27 @@ static void ask(Watch *watch) {
 static void turn_to(Watch *watch, int lab) {
     desk_turn_to(&watch->desk, lab);
     watch->listing = false;
-    watch->dirty = true;
-    watch->graded[lab] = 0; // is graded at the next look
-}
-
-// Looks at a lab's files. True when they were saved since the last grading and then left alone for a moment.
-static bool was_saved(Watch *watch, int lab) {
-    const uint64_t mark = mark_of(watch, lab);
-    const bool still = mark == watch->seen[lab];
-    watch->seen[lab] = mark;
-    return still && mark != watch->graded[lab];
+    watch->entered = watch->dirty = true;
 }
 
 // Grades the lab on the desk when it was saved or has just come there. Another lab that is saved comes to the
 // desk; several at once are not a student's doing (git is at work) and change nothing.
 static void look(Watch *watch) {
-    const int current = watch->desk.current;
-    bool own = false;
+    bool own = watch->entered;
     int others = 0, other = -1;
-    for (int lab = 0; !watch->bench.busy && lab < watch->desk.lab_count; lab++) {
-        if (!was_saved(watch, lab))
-            continue;
-        own = own || lab == current;
-        others += lab != current;
-        other = lab != current ? lab : other;
-        if (lab != current)
-            watch->graded[lab] = watch->seen[lab];
+    if (watch->bench.busy)
+        return;
+    for (int lab = 0; lab < watch->desk.lab_count; lab++) {
+        const bool saved = changes_found(&watch->changes[lab]);
+        if (lab == watch->desk.current)
+            own = own || saved;
+        else if (saved && ++others > 0)
+            other = lab;
     }
+    check_clear();
     if (!own && others != 1)
         return;
-    if (!own || watch->graded[current] != 0) // else the message says why we are here
+    if (!watch->entered) // else the message says why we are here
         watch->desk.message[0] = '\0';
     if (!own)
         turn_to(watch, other);
@@ -163,11 +147,11 @@ static void take_verdict(Watch *watch) {
     if (!bench_take(&watch->bench) || !desk_take(desk, &watch->bench.verdict))
         return;
     const int next = desk_next(desk);
-    snprintf(desk->message, sizeof desk->message,
-             "Lab %s is done: %.0f of %.0f points. %s Our solution, to compare: solutions/%s", rubric->id,
+    snprintf(desk->message, sizeof desk->message, "Lab %s is done: %.0f of %.0f points. %s%s%s", rubric->id,
              desk->verdict.score, desk->verdict.max_score,
              next < 0 ? "All labs are done!" : "Here is the next one; l leads back.",
-             strrchr(rubric->folder, '/') + 1);
+             recorded_only() ? "" : " Our solution, to compare: solutions/",
+             recorded_only() ? "" : strrchr(rubric->folder, '/') + 1);
     if (next >= 0)
         turn_to(watch, next);
 }
@@ -220,8 +204,11 @@ static void draw(Watch *watch) {
 }
 
 static void watch_terminal(Watch *watch) {
-    for (int lab = 0; lab < watch->desk.lab_count; lab++)
-        watch->graded[lab] = watch->seen[lab] = mark_of(watch, lab);
+    for (int lab = 0; lab < watch->desk.lab_count; lab++) {
+        char folder[FILES_PATH];
+        desk_lab_folder(&watch->desk, lab, folder);
+        changes_begin(&watch->changes[lab], folder, "");
+    }
     turn_to(watch, watch->desk.current);
     while (!watch->end) {
         look(watch);

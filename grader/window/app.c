@@ -24,7 +24,7 @@ static bool find_mine(App *app, const char id[3]) {
 
 static void note_source(const char *name, void *context) {
     Rubric *rubric = context;
-    if (watch_is_source(name) && rubric->file_count < RUBRIC_MAX_FILES)
+    if (changes_is_source(name) && rubric->file_count < RUBRIC_MAX_FILES)
         rubric->files[rubric->file_count++] = strdup(name);
 }
 
@@ -85,8 +85,8 @@ bool app_create(App *app, const AppOptions *options, void (*wake)(void)) {
     if (!state_request(&app->state, 16, 16, &request))
         return false;
     home_path(shaders, "shaders");
-    watch_begin(&app->watches[0], app->folder, shaders);
-    watch_begin(&app->watches[1], app->rubric.folder ? app->rubric.folder : "", shaders);
+    changes_begin(&app->watches[0], app->folder, shaders);
+    changes_begin(&app->watches[1], app->rubric.folder ? app->rubric.folder : "", shaders);
     for (FeedKind kind = 0; kind < FEED_COUNT; kind++)
         start_feed(app, kind, wake);
     app->last = process_now();
@@ -102,6 +102,12 @@ void app_destroy(App *app) {
         free((char *)app->rubric.files[i]);
     image_destroy(&app->composed);
     rubric_destroy(&app->rubric);
+}
+
+const char *app_title(const App *app) {
+    if (app->table.title[0] || !app->rubric.title)
+        return app->table.title;
+    return app->rubric.title;
 }
 
 FeedKind app_other(const App *app) {
@@ -136,7 +142,7 @@ static void look_at_files(App *app, double now) {
         return;
     app->looked = now;
     for (int i = 0; i < 2; i++) // in the order of FEED_MINE, FEED_REFERENCE
-        if (app->feeds[i].running && watch_changed(&app->watches[i]))
+        if (app->feeds[i].running && changes_found(&app->watches[i]))
             feed_renew(&app->feeds[i]);
     check_clear(); // a folder that is just being replaced
 }

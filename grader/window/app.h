@@ -3,7 +3,7 @@
 
 #include "feed.h"
 #include "state.h"
-#include "watch.h"
+#include "changes.h"
 
 #include <stdbool.h>
 
@@ -22,7 +22,7 @@ typedef struct App {
     const AppOptions *options;
     Rubric rubric;           // without checks when there is no solution here
     char folder[FILES_PATH]; // mine
-    Watch watches[2];        // of mine, of the reference
+    Changes watches[2];      // of mine, of the reference
     Feed feeds[FEED_COUNT];
     FeedNews news[FEED_COUNT];
     char absent[FEED_COUNT][200]; // why a feed does not run; "" when it does
@@ -53,6 +53,9 @@ bool app_tick(App *app, int width, int height);
 
 // Makes all feeds build and start again.
 void app_renew(App *app);
+
+// The lab's title: its own or, until it can tell, the rubric's.
+const char *app_title(const App *app);
 
 // The feed whose picture is "the other one" now.
 FeedKind app_other(const App *app);

@@ -34,7 +34,7 @@ bool drawer_start(Drawer *drawer, const DrawerSetup *setup, const Drawer *earlie
 DrawResult drawer_describe(Drawer *drawer, Reply *reply);
 
 // Draws, with those knobs of the request that its lab knows: the tables of mine and of the reference may
-// differ.
+// differ. What the lab prints is passed on to standard output.
 DrawResult drawer_draw(Drawer *drawer, const Request *request, Image *image, Reply *reply);
 
 // Ends the worker and removes its folder. Accepts a zeroed drawer.

@@ -32,7 +32,7 @@ static void add_knob(const App *app, int i, Lines *lines) {
 
 static void add_state(const App *app, Lines *lines) {
     char line[LINES_LENGTH] = "", what[LINES_LENGTH] = "";
-    check_append(line, sizeof line, "%s  %s", app->rubric.id, app->table.title);
+    check_append(line, sizeof line, "%s  %s", app->rubric.id, app_title(app));
     lines_add(lines, white, line);
     state_text(&app->state, &app->rubric, what, sizeof what);
     line[0] = '\0';
@@ -176,8 +176,7 @@ void hud_title(const App *app, char *title, size_t size) {
     char what[LINES_LENGTH], value[2 * PROTOCOL_LINE];
     state_text(&app->state, &app->rubric, what, sizeof what);
     title[0] = '\0';
-    check_append(title, size, "%s %s - %s: %s", app->rubric.id, app->table.title, show_name(&app->state),
-                 what);
+    check_append(title, size, "%s %s - %s: %s", app->rubric.id, app_title(app), show_name(&app->state), what);
     if (app->state.selected < app->table.knob_count) {
         const struct KnobText *knob = &app->table.knobs[app->state.selected];
         knob_text(knob, state_knob(&app->state, knob), value, sizeof value);

@@ -12,6 +12,8 @@ static const double TIME_STEP = 0.1; // seconds
 static void show(App *app, Show what) {
     FeedKind kind = what == SHOW_TRUTH ? FEED_TRUTH : FEED_REFERENCE;
     bool compares = what == SHOW_SPLIT || what == SHOW_DIFFERENCE;
+    if (compares && !app->feeds[FEED_REFERENCE].running && app->feeds[FEED_TRUTH].running)
+        app->state.against_truth = true; // a copy for students has only that
     if (compares && app->state.against_truth)
         kind = FEED_TRUTH;
     if (what != SHOW_MINE && !app->feeds[kind].running)

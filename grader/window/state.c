@@ -144,7 +144,6 @@ void state_step_scene(State *state, const Rubric *rubric, int direction) {
     while (at < count && strcmp(scenes[at], state->scene) != 0)
         at++;
     set_name(state->scene, scenes[at == count ? 0 : around(at, count, direction)]);
-    state->check = -1;
 }
 
 void state_step_view(State *state, const Description *table, int direction) {
@@ -172,6 +171,16 @@ void state_reset_orbits(State *state) {
     state->running = false;
 }
 
+// Is everything as the check that was chosen last has it?
+static bool matches(const State *state, const Check *check) {
+    bool same = strcmp(state->scene, check->scene) == 0 && strcmp(state->view, check->view) == 0 &&
+                state->knob_count == check->knob_count;
+    for (int i = 0; same && i < check->knob_count; i++)
+        same = strcmp(state->knobs[i].name, check->knobs[i].name) == 0 &&
+               state->knobs[i].value == check->knobs[i].value;
+    return same;
+}
+
 void state_text(const State *state, const Rubric *rubric, char *text, size_t size) {
     text[0] = '\0';
     check_append(text, size, "%s of \"%s\", seed %llu",
@@ -179,7 +188,7 @@ void state_text(const State *state, const Rubric *rubric, char *text, size_t siz
                  (unsigned long long)state->seed);
     if (state->time != 0)
         check_append(text, size, ", light at %.1f s", state->time);
-    if (state->check >= 0)
+    if (state->check >= 0 && matches(state, &rubric->checks[state->check]))
         check_append(text, size, "  [check %s: %s]", rubric->checks[state->check].task,
                      rubric->checks[state->check].name);
 }

@@ -186,7 +186,6 @@ void text_box(Text *text, float x, float y, float width, float height, Color col
 
 void text_draw(Text *text, int width, int height) {
     glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     program_set_vec3(&text->program, "u_window_size", vec3_make((float)width, (float)height, 0));

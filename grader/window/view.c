@@ -3,6 +3,7 @@
 #include "arguments.h"
 #include "check.h"
 #include "keys.h"
+#include "result.h"
 #include "window.h"
 
 #define GLFW_INCLUDE_NONE
@@ -154,12 +155,14 @@ static void set_callbacks(GLFWwindow *window) {
 
 // In the terminal, too, where a click on file:line opens the editor.
 static void tell_problem(void) {
+    static char clean[2 * PROTOCOL_TEXT];
     const char *problem = view.app.news[FEED_MINE].problem;
     if (strncmp(problem, view.told, sizeof view.told - 1) == 0)
         return;
     snprintf(view.told, sizeof view.told, "%.199s", problem);
+    result_clean(clean, sizeof clean, problem);
     if (problem[0])
-        fprintf(stderr, "view: %s\n", problem);
+        fprintf(stderr, "view: %s\n", clean);
 }
 
 // Something on the screen changes by itself: a clock of what is late, a notice that goes.

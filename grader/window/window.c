@@ -126,6 +126,8 @@ void window_draw(Window *window, const App *app, const int cursor[2]) {
 
 bool window_save(Window *window, const App *app, const char *path) {
     Image image = {0};
+    if (window->screen.width == 0)
+        return check_fail("there is no picture yet");
     Place at = place(window, app->state.pixel);
     draw_picture(window, app);
     bool ok = screen_read(&image, &at) && image_write_png(&image, path);

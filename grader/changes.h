@@ -8,19 +8,19 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { WATCH_FOLDERS = 2 };
+enum { CHANGES_FOLDERS = 2 };
 
-typedef struct Watch {
-    char folders[WATCH_FOLDERS][FILES_PATH]; // "": none
-    uint64_t taken, seen;                    // fingerprints: of what was built, and of the last look
-} Watch;
+typedef struct Changes {
+    char folders[CHANGES_FOLDERS][FILES_PATH]; // "": none
+    uint64_t taken, seen;                      // fingerprints: of what was built, and of the last look
+} Changes;
 
 // Watches C and GLSL files of two folders from now on.
-void watch_begin(Watch *watch, const char *folder, const char *other);
+void changes_begin(Changes *changes, const char *folder, const char *other);
 
 // True once for each change, when two looks in a row have found the same files: a file is not read while it
 // is being written.
-bool watch_changed(Watch *watch);
+bool changes_found(Changes *changes);
 
 // Is it the name of a C or GLSL file?
-bool watch_is_source(const char *name);
+bool changes_is_source(const char *name);

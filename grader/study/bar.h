@@ -3,16 +3,16 @@
 
 #include <stdbool.h>
 
-typedef struct Progress {
+typedef struct Bar {
     bool terminal;
     double started; // seconds; when this scene began
     const char *scene;
     int done, all; // steps of this scene
     int began;     // how many were done when it began
     int shown;     // percent
-} Progress;
+} Bar;
 
 // A scene of `all` steps, of which `done` were done in an earlier run. Writes to stderr.
-void progress_begin(Progress *progress, const char *scene, int done, int all);
-void progress_step(Progress *progress);
-void progress_end(Progress *progress);
+void bar_begin(Bar *bar, const char *scene, int done, int all);
+void bar_step(Bar *bar);
+void bar_end(Bar *bar);

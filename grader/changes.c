@@ -1,4 +1,4 @@
-#include "watch.h"
+#include "changes.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -9,7 +9,7 @@ typedef struct Look {
     uint64_t hash;
 } Look;
 
-bool watch_is_source(const char *name) {
+bool changes_is_source(const char *name) {
     static const char *const ends[] = {".c", ".h", ".vert", ".frag", ".geom", ".glsl"};
     const char *dot = strrchr(name, '.');
     for (unsigned i = 0; dot && i < sizeof ends / sizeof ends[0]; i++)
@@ -27,7 +27,7 @@ static void look_at(const char *name, void *context) {
     Look *look = context;
     struct stat info = {0};
     char path[FILES_PATH];
-    if (!watch_is_source(name))
+    if (!changes_is_source(name))
         return;
     files_join(path, look->folder, name);
     if (stat(path, &info) != 0)
@@ -40,28 +40,28 @@ static void look_at(const char *name, void *context) {
     add(&look->hash, (uint64_t)info.st_mtim.tv_nsec);
 }
 
-static uint64_t fingerprint(const Watch *watch) {
+static uint64_t fingerprint(const Changes *changes) {
     Look look = {.hash = 0xcbf29ce484222325u};
-    for (int i = 0; i < WATCH_FOLDERS; i++) {
-        look.folder = watch->folders[i];
+    for (int i = 0; i < CHANGES_FOLDERS; i++) {
+        look.folder = changes->folders[i];
         if (look.folder[0])
             files_list(look.folder, look_at, &look);
     }
     return look.hash;
 }
 
-void watch_begin(Watch *watch, const char *folder, const char *other) {
-    snprintf(watch->folders[0], FILES_PATH, "%s", folder);
-    snprintf(watch->folders[1], FILES_PATH, "%s", other);
-    watch->taken = watch->seen = fingerprint(watch);
+void changes_begin(Changes *changes, const char *folder, const char *other) {
+    snprintf(changes->folders[0], FILES_PATH, "%s", folder);
+    snprintf(changes->folders[1], FILES_PATH, "%s", other);
+    changes->taken = changes->seen = fingerprint(changes);
 }
 
-bool watch_changed(Watch *watch) {
-    uint64_t now = fingerprint(watch);
-    bool still = now == watch->seen;
-    watch->seen = now;
-    if (!still || now == watch->taken)
+bool changes_found(Changes *changes) {
+    uint64_t now = fingerprint(changes);
+    bool still = now == changes->seen;
+    changes->seen = now;
+    if (!still || now == changes->taken)
         return false;
-    watch->taken = now;
+    changes->taken = now;
     return true;
 }
