@@ -1,5 +1,7 @@
 #include "changes.h"
 
+#include "hash.h"
+
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -18,11 +20,6 @@ bool changes_is_source(const char *name) {
     return false;
 }
 
-// FNV-1a, as in derive.c, word by word.
-static void add(uint64_t *hash, uint64_t word) {
-    *hash = (*hash ^ word) * 0x100000001b3u;
-}
-
 static void look_at(const char *name, void *context) {
     Look *look = context;
     struct stat info = {0};
@@ -32,16 +29,14 @@ static void look_at(const char *name, void *context) {
     files_join(path, look->folder, name);
     if (stat(path, &info) != 0)
         return;
-    for (const char *at = name; *at; at++)
-        add(&look->hash, (unsigned char)*at);
-    add(&look->hash, (uint64_t)info.st_size);
-    add(&look->hash, (uint64_t)info.st_ino);
-    add(&look->hash, (uint64_t)info.st_mtim.tv_sec);
-    add(&look->hash, (uint64_t)info.st_mtim.tv_nsec);
+    look->hash = hash_bytes(look->hash, name, strlen(name));
+    look->hash = hash_bytes(look->hash, &info.st_size, sizeof info.st_size);
+    look->hash = hash_bytes(look->hash, &info.st_ino, sizeof info.st_ino);
+    look->hash = hash_bytes(look->hash, &info.st_mtim, sizeof info.st_mtim);
 }
 
 static uint64_t fingerprint(const Changes *changes) {
-    Look look = {.hash = 0xcbf29ce484222325u};
+    Look look = {.hash = HASH_START};
     for (int i = 0; i < CHANGES_FOLDERS; i++) {
         look.folder = changes->folders[i];
         if (look.folder[0])

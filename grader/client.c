@@ -40,6 +40,7 @@ bool client_start(Client *client) {
                            "MALLOC_TRIM_THRESHOLD_=1000000000",
                            "LC_ALL=C",
                            ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true",
+                           client->quick_shaders ? "GALLIVM_PERF=nopt" : NULL,
                            NULL};
     JailPlan plan = {
         .kind = JAIL_DRAW, .limits = {.wall_seconds = 3600}, .folder = ours ? "/" : client->folder};

@@ -21,6 +21,7 @@ typedef struct Client {
     const Jail *jail; // for a submission; NULL: its own author grades it, outside
     ContextKind context;
     const char *program; // beside ours, that speaks protocol.h; NULL: the worker
+    bool quick_shaders;  // compiled sooner and worse: for frames that are few and small; the same pixels
     double seconds;      // processor time that a submission may use
     double patience;     // wall time that it may use, in units of that; 0: 1
     bool each_turn; // `seconds` is wall time and begins anew with client_begin, whoever draws: for a window

@@ -28,6 +28,7 @@ typedef struct Exam {
     Variant variants[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]; // which of the drawn variants each one is, from 0
     char renderer[128];
+    float milliseconds[RUBRIC_MAX_CHECKS]; // of the solution in a check's last variant; 0: not measured yet
     LatePicture mistakes[EXAM_MAX_MISTAKES][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
 } Exam;

@@ -87,17 +87,27 @@ static bool draw_one(LabResult *result, Client *student, const Variant *variant,
     return drawn == DRAW_FAILED;
 }
 
-// The first frame of a check pays for what the driver compiles late: the last one is compared.
-static void add_ratio(Ratios *ratios, float milliseconds, const Variant *variant, Roster *roster) {
+// The first frame of a check pays for what the driver compiles late: the last one is compared. What the
+// solution takes is measured once an exam.
+static float solution_milliseconds(Exam *exam, int c) {
     static Reply reply;
     Image again = {0};
-    const Painter *solution = roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL);
-    bool ok = solution && milliseconds > 0;
+    const Variant *variant = &exam->variants[c][exam->rubric->checks[c].variants - 1];
+    const Painter *solution =
+        exam->milliseconds[c] > 0 ? NULL : roster_get(exam->roster, (Solved){SOLVED_ALL, NULL}, NULL);
+    bool ok = solution != NULL;
     for (int i = 0; ok && i < 2; i++) // the student's worker has just drawn a frame of this size, too
-        ok = roster_draw(roster, solution, &variant->request, &again, &reply);
-    if (ok && exam_milliseconds(&reply) > 0)
-        ratios->values[ratios->count++] = milliseconds / exam_milliseconds(&reply);
+        ok = roster_draw(exam->roster, solution, &variant->request, &again, &reply);
+    if (ok)
+        exam->milliseconds[c] = exam_milliseconds(&reply);
     image_destroy(&again);
+    return exam->milliseconds[c];
+}
+
+static void add_ratio(Ratios *ratios, float milliseconds, Exam *exam, int c) {
+    float ours = milliseconds > 0 ? solution_milliseconds(exam, c) : 0;
+    if (ours > 0)
+        ratios->values[ratios->count++] = milliseconds / ours;
 }
 
 // Points of the optional checks that were left as they were.
@@ -122,7 +132,7 @@ void grade_pictures(LabResult *result, const Exam *exam) {
         result->status = passed ? LAB_PASSED : LAB_FAILED;
 }
 
-void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster) {
+void grade_frames(LabResult *result, Exam *exam, Client *student, bool timed) {
     Ratios ratios = {0};
     bool alive = true;
     for (int c = 0; c < result->check_count; c++) {
@@ -130,8 +140,8 @@ void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *
         float milliseconds = 0;
         for (int n = 0; alive && n < check->check->variants; n++)
             alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &milliseconds);
-        if (roster)
-            add_ratio(&ratios, milliseconds, &exam->variants[c][check->check->variants - 1], roster);
+        if (timed)
+            add_ratio(&ratios, milliseconds, exam, c);
     }
     qsort(ratios.values, (size_t)ratios.count, sizeof ratios.values[0], by_value);
     result->speed_ratio = ratios.count > 0 ? ratios.values[ratios.count / 2] : 0;
@@ -194,7 +204,7 @@ static bool examine(LabResult *result, Examiner *examiner, Client *student, cons
     if (!exam)
         return false;
     client_begin(student);
-    grade_frames(result, exam, student, options->untimed ? NULL : exam->roster);
+    grade_frames(result, exam, student, exam->roster && !options->untimed);
     note_output(result, student->process.text);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
@@ -204,6 +214,7 @@ bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, co
     student = (Client){.trust = TRUST_NOBODY,
                        .jail = options->jail,
                        .context = options->context,
+                       .quick_shaders = true,
                        .seconds = options->seconds,
                        .patience = options->patience};
     grade_begin(result, &examiner->rubric);

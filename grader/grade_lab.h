@@ -14,9 +14,9 @@ void grade_begin(LabResult *result, const Rubric *rubric);
 void grade_refuse(LabResult *result, const char *reason);
 
 // Draws the exam's frames with the student's worker and scores them; the frames stay in the result, which
-// grade_begin has prepared. With a roster the solution draws some again, in turn with the student, to compare
-// their times.
-void grade_frames(LabResult *result, const Exam *exam, Client *student, Roster *roster);
+// grade_begin has prepared. Timed: the solution draws the last frame of each check again, once an exam, to
+// compare their times.
+void grade_frames(LabResult *result, Exam *exam, Client *student, bool timed);
 
 // Scores the frames that the result already holds, as grade_frames does once they are drawn.
 void grade_pictures(LabResult *result, const Exam *exam);

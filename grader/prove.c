@@ -21,9 +21,9 @@ typedef enum Kind { KIND_SOLUTION, KIND_SKELETON, KIND_PARTIAL, KIND_MISTAKE, KI
 
 typedef struct Row {
     Kind kind;
+    int number; // of the task or of the mistake in the rubric
     Solved solved;
     const Change *change;
-    int number;               // of the task or of the mistake in the rubric
     const struct Row *before; // of a partial solution: the one with a task less
     double percent;           // of the last run
     double lowest, highest;   // percent
@@ -118,7 +118,8 @@ static bool share_frames(LabResult *result, const Row *row, Exam *exam) {
     return true;
 }
 
-// A worker that draws for one lab only and the one that draws for all of ours must show the same.
+// A worker that draws for one lab only and compiles its shaders well, and the one that draws for all of ours
+// must show the same.
 static bool draws_the_same(const LabResult *result, Row *row, Exam *exam) {
     static LabResult shared;
     grade_begin(&shared, exam->rubric);
@@ -140,7 +141,7 @@ static void draw_row(LabResult *result, Row *row, const Painter *painter, Exam *
     row->contender.context = exam->roster->context;
     memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
     grade_begin(result, exam->rubric);
-    grade_frames(result, exam, &row->contender, NULL);
+    grade_frames(result, exam, &row->contender, false);
 }
 
 // Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from

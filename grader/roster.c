@@ -14,7 +14,8 @@ static bool same_task(Solved a, Solved b) {
 static bool ensure_worker(Roster *roster) {
     if (roster->client.started)
         return true;
-    roster->client = (Client){.folder = "-", .trust = TRUST_OURS, .context = roster->context};
+    roster->client =
+        (Client){.folder = "-", .trust = TRUST_OURS, .context = roster->context, .quick_shaders = true};
     return client_start(&roster->client);
 }
 

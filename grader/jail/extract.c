@@ -1,7 +1,6 @@
 #include "jail/extract.h"
 
 #include "check.h"
-#include "jail/extract_protocol.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,16 +1,10 @@
 // Opens a stranger's archive.
 #pragma once
 
+#include "jail/extract_protocol.h" // the limits
 #include "jail/jail.h"
 
 #include <stdbool.h>
-
-enum {
-    EXTRACT_MAX_ARCHIVE = 64 << 20, // bytes of the archive
-    EXTRACT_MAX_FILE = 16 << 20,    // bytes of one file in it
-    EXTRACT_MAX_BYTES = 64 << 20,   // of all
-    EXTRACT_MAX_FILES = 4000
-};
 
 // Writes the regular files of a .zip or .tar (also gzip, bzip2, xz, zstd) into the existing, empty folder.
 // The archive is read in the jail, which gets its bytes and gives back names and bytes: it has no access to

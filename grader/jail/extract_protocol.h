@@ -5,6 +5,13 @@
 
 #include <stdint.h>
 
+enum {
+    EXTRACT_MAX_ARCHIVE = 64 << 20, // bytes of the archive
+    EXTRACT_MAX_FILE = 16 << 20,    // bytes of one file in it
+    EXTRACT_MAX_BYTES = 64 << 20,   // of all
+    EXTRACT_MAX_FILES = 4000
+};
+
 typedef enum ExtractKind { EXTRACT_FILE = 1, EXTRACT_END, EXTRACT_REFUSED } ExtractKind;
 
 typedef struct ExtractEntry {

@@ -5,7 +5,8 @@
 bool counting_begin(Probe *probe, const Counting *counting, const Scene *scene) {
     bool ok = probe_begin(probe, counting->bench, "07", scene, COUNTING_SIZE, COUNTING_SIZE);
     probe->change = counting->change;
-    probe_knob(probe, "method", counting->method);
+    probe_knob(probe, "method", counting->method != Z_PASS);
+    probe_knob(probe, "silhouettes", counting->method == Z_FAIL_CPU);
     return ok && probe_draw(probe);
 }
 

@@ -75,7 +75,8 @@ CurveVerdict curve_judge(const Curve *curve) {
     worst = judge_point(curve, 0);
     for (int i = 1; i < curve->count; i++) {
         CurveVerdict verdict = judge_point(curve, i);
-        if (verdict.share > worst.share)
+        bool tells_more = verdict.share == worst.share && fabs(verdict.expected) > fabs(worst.expected);
+        if (verdict.share > worst.share || tells_more)
             worst = verdict;
     }
     return worst;

@@ -210,7 +210,10 @@ static bool run_silhouette(Bench *bench, Findings *findings) {
                                      &first_come, Z_FAIL, 0}) &&
            sweep_grazing(&(Counting){bench, findings,
                                      figure_curve(figure, "remedy: corners in one order", CURVE_EQUAL), NULL,
-                                     Z_FAIL, 1});
+                                     Z_FAIL, 1}) &&
+           sweep_grazing(&(Counting){bench, findings,
+                                     figure_curve(figure, "remedy: sides found on the CPU", CURVE_EQUAL),
+                                     NULL, Z_FAIL_CPU, 2});
 }
 
 const Row rows_closed[] = {
@@ -229,7 +232,7 @@ const Row rows_closed[] = {
     {25, "silhouettes", "z-fail", "the lamp's place moves through the planes of the casters' sides",
      "A triangle is asked whether it faces the light by itself and by its three neighbours. When rounding "
      "gives them different answers, the volume has a hole through which a whole stripe leaks. With the "
-     "corners sorted first, all hear the same answer.",
+     "corners sorted first, all hear the same answer; the CPU sorts by the numbers of the vertices.",
      "the traced shadow", run_silhouette},
     {0},
 };

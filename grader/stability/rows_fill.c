@@ -27,7 +27,8 @@ static const float half_map = 5;
 
 static const Change volume_fragments = {
     .name = "fragments of volumes",
-    .edits = {{"lab.c", DRAW_VOLUMES, "    glDepthFunc(GL_ALWAYS);\n" COUNT_FRAGMENTS(DRAW_VOLUMES)}},
+    .edits = {{"lab.c", DRAW_VOLUMES,
+               "    {\n    glDepthFunc(GL_ALWAYS);\n" COUNT_FRAGMENTS(DRAW_VOLUMES) "    }\n"}},
     .edit_count = 1};
 static const Change map_texels = {
     .name = "texels of the map", .edits = {{"lab.c", DRAW_MAP, COUNT_FRAGMENTS(DRAW_MAP)}}, .edit_count = 1};

@@ -101,9 +101,7 @@ const StudyScene study_scenes[] = {
      HARD_TOLERANCE},
     {"edges",
      "Hard light on plates: texels and filters",
-     "long edges in many directions; lab 05 has its filters in one shader, of which llvmpipe walks every "
-     "branch, so that "
-     "they differ in taps more than in time",
+     "long edges in many directions: the texels show, and what a filter makes of them",
      make_edges,
      {.kind = TRUTH_LIGHT},
      methods_of_edges,

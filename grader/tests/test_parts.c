@@ -1,5 +1,6 @@
 // The parts without GL: random numbers, meshes, scenes, shader files, rubrics and processes.
 #include "check.h"
+#include "compile.h"
 #include "files.h"
 #include "process.h"
 #include "random.h"
@@ -184,10 +185,29 @@ static void test_processes(void **unused) {
     process_stop(process);
 }
 
+static bool compiles(const char *folder, const char *text) {
+    static char log[COMPILE_LOG], path[FILES_PATH];
+    files_join(path, folder, "lab.c");
+    assert_true(files_write(path, text));
+    return compile_lab(folder, NULL, log);
+}
+
+// The flags of the precompiled header are those that labs are compiled with: else gcc reads given.h itself.
+static void test_precompiled(void **unused) {
+    (void)unused;
+    char folder[FILES_PATH];
+    assert_true(files_make_temporary(folder));
+    assert_true(compiles(folder, "#ifdef GIVEN_NOT_PRECOMPILED\n#error slow\n#endif\nLab lab_table;\n"));
+    assert_true(compiles(folder, "#include \"atlas.h\"\n#include \"lab.h\"\nLab lab_table;\n"));
+    assert_false(compiles(folder, "#include \"lab.h\"\nLab lab_table = 1;\n"));
+    files_remove(folder);
+}
+
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_random),    cmocka_unit_test(test_meshes),
-                                       cmocka_unit_test(test_scenes),    cmocka_unit_test(test_rubric),
-                                       cmocka_unit_test(test_processes), cmocka_unit_test(test_shader_files)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_precompiled), cmocka_unit_test(test_random),
+                                       cmocka_unit_test(test_meshes),      cmocka_unit_test(test_scenes),
+                                       cmocka_unit_test(test_rubric),      cmocka_unit_test(test_processes),
+                                       cmocka_unit_test(test_shader_files)};
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }

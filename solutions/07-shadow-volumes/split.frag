@@ -6,13 +6,8 @@
 in vec3 v_position_world;
 in vec3 v_normal_world;
 
-#ifdef SOLUTION // 7.2
 layout(location = 0) out vec4 o_ambient;
-layout(location = 1) out vec4 o_diffuse_specular;
-#else
-// TODO(7.2): a second output, o_diffuse_specular, for the colour attachment 1.
-layout(location = 0) out vec4 o_ambient;
-#endif
+layout(location = 1) out vec4 o_diffuse_specular; // for the colour attachment 1
 
 void main()
 {
@@ -22,8 +17,9 @@ void main()
     o_ambient = vec4(ambient, 1.0);
     o_diffuse_specular = vec4(diffuse_specular, 1.0);
 #else
-    // TODO(7.2), second part: write each part of the light to its own output. Until then there is one picture, lit and
+    // TODO(7.2): write each part of the light to its own output. Until then the first gets all of it: one picture, lit and
     // without shadows.
     o_ambient = vec4(ambient + diffuse_specular, 1.0);
+    o_diffuse_specular = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
 }

@@ -1,11 +1,11 @@
 // jail_unpack: reads an archive on descriptor 0 and tells its files on descriptor 3 (extract_protocol.h), by
 // libarchive.
-#include "jail/extract.h"
 #include "jail/extract_protocol.h"
 
 #include <archive.h>
 #include <archive_entry.h>
 #include <locale.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

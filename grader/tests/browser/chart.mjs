@@ -38,13 +38,14 @@ const tinted = async () => {
     });
 };
 
-// By mouse: z-pass takes light for shadow nearly everywhere; z-fail errs nowhere.
+// By mouse: z-pass takes light for shadow nearly everywhere; z-fail errs nowhere. Each has two points, which may lie on each
+// other.
 const wrong = page.locator('[aria-label^="z-pass"]').first(), right = page.locator('[aria-label^="z-fail"]').first();
 await wrong.click({ force: true });
-check('a click shows the point', (await title()).startsWith(await named(wrong)), await title());
+check('a click shows the point', (await title()).startsWith('z-pass'), await title());
 const dark = await tinted();
 await right.click({ force: true });
-check('a click shows another point', (await title()).startsWith(await named(right)), await title());
+check('a click shows another point', (await title()).startsWith('z-fail'), await title());
 const exact = await tinted();
 check('false shadow is blue', dark.blue > 1000 && exact.blue + exact.yellow < 20, `${JSON.stringify(dark)} ${JSON.stringify(exact)}`);
 
@@ -52,7 +53,8 @@ check('false shadow is blue', dark.blue > 1000 && exact.blue + exact.yellow < 20
 await page.locator('#shade').focus();
 await page.keyboard.press('Tab');
 const focused = () => page.evaluate(() => document.activeElement.getAttribute('aria-label'));
-check('Tab reaches the selected point', (await focused()) === (await right.getAttribute('aria-label')), await focused());
+const selected = await page.locator('[aria-selected=true]').getAttribute('aria-label');
+check('Tab reaches the selected point', (await focused()) === selected, `${await focused()}, not ${selected}`);
 await page.keyboard.press('Home');
 check('Home shows the fastest', (await title()).startsWith(await named(points.first())), await title());
 await page.keyboard.press('ArrowRight');
