@@ -191,7 +191,7 @@ static bool needs_look(const Table *table, int i) {
     return needs;
 }
 
-static void write_looks(Page *page, const Table *table) {
+static void write_look_table(Page *page, const Table *table) {
     int count = 0;
     for (int i = 0; i < table->roll->count; i++)
         count += needs_look(table, i);
@@ -221,7 +221,7 @@ static void write_looks(Page *page, const Table *table) {
     fputs("<h2>Who needs a look</h2>\n<p>Not graded for a reason of the grader's, or nothing could be drawn, "
           "or only a part.</p>\n",
           page->out);
-    write_looks(page, table);
+    write_look_table(page, table);
     if (table->roll->ignored_count == 0)
         return;
     fputs("<p>Ignored in the class's folder, because they are neither folders nor archives, or "
