@@ -8,7 +8,7 @@ for tool in node npm cmark-gfm chromium; do
     command -v $tool >/dev/null || { echo "skipped: $tool is not here (common/setup --check)"; echo "0 passed, 0 failed"; exit 0; }
 done
 runs() { status=0; out=$("$@" 2>&1) || status=$?; }
-runs make --no-print-directory BUILD="$work" grader/site/node_modules/.package-lock.json $browser/node_modules/.package-lock.json
+runs flock $browser/package.json make --no-print-directory BUILD="$work" grader/site/node_modules/.package-lock.json $browser/node_modules/.package-lock.json
 expect "npm" 0
 runs node grader/site/build.mjs "$work/site"
 expect "the site is built" 0 "11 pages"
