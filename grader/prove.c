@@ -21,9 +21,9 @@ typedef enum Kind { KIND_SOLUTION, KIND_SKELETON, KIND_PARTIAL, KIND_MISTAKE, KI
 
 typedef struct Row {
     Kind kind;
+    int number; // of the task or of the mistake in the rubric
     Solved solved;
     const Change *change;
-    int number;               // of the task or of the mistake in the rubric
     const struct Row *before; // of a partial solution: the one with a task less
     double percent;           // of the last run
     double lowest, highest;   // percent

@@ -184,10 +184,21 @@ static void look_row(Page *page, const Table *table, int i, const char *lab, con
     fputs("</tr>\n", page->out);
 }
 
-static void write_looks(Page *page, const Table *table) {
-    fputs("<h2>Who needs a look</h2>\n<p>Not graded for a reason of the grader's, or nothing could be drawn, "
-          "or only a part.</p>\n",
-          page->out);
+static bool needs_look(const Table *table, int i) {
+    bool needs = !table_is_graded(table, i);
+    for (int n = 0; !needs && n < table->plan->lab_count; n++)
+        needs = table_text(table_lab(table, i, n), "message")[0] != '\0';
+    return needs;
+}
+
+static void write_look_table(Page *page, const Table *table) {
+    int count = 0;
+    for (int i = 0; i < table->roll->count; i++)
+        count += needs_look(table, i);
+    if (count == 0) {
+        fputs("<p>Nobody.</p>\n", page->out);
+        return;
+    }
     begin_table(page, "Who needs a look");
     fputs("<thead><tr><th scope=\"col\">submission</th><th scope=\"col\">lab</th><th "
           "scope=\"col\">status</th><th "
@@ -204,6 +215,13 @@ static void write_looks(Page *page, const Table *table) {
         }
     }
     end_table(page);
+}
+
+static void write_looks(Page *page, const Table *table) {
+    fputs("<h2>Who needs a look</h2>\n<p>Not graded for a reason of the grader's, or nothing could be drawn, "
+          "or only a part.</p>\n",
+          page->out);
+    write_look_table(page, table);
     if (table->roll->ignored_count == 0)
         return;
     fputs("<p>Ignored in the class's folder, because they are neither folders nor archives, or "

@@ -1,5 +1,7 @@
 // build.mjs OUTPUT: turns the project's README files into a static site. Run in the project's folder by `make site`.
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from "node:fs";
+import {
+  copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync,
+} from "node:fs";
 import path from "node:path";
 import { escape, render } from "./pages.mjs";
 
@@ -52,8 +54,10 @@ function navigation(current) {
 
 function turn(page) {
   const at = pages.indexOf(page);
-  const link = (to, rel, words) => (to ? `<a rel="${rel}" href="${to.file}"><span>${words}</span>${to.label}</a>` : "<span></span>");
-  return at < 0 ? "" : `<nav class="turn" aria-label="Previous and next page">${link(pages[at - 1], "prev", "Previous")}${link(pages[at + 1], "next", "Next")}</nav>`;
+  const link = (to, rel, words) =>
+    to ? `<a rel="${rel}" href="${to.file}"><span>${words}</span>${to.label}</a>` : "<span></span>";
+  const links = link(pages[at - 1], "prev", "Previous") + link(pages[at + 1], "next", "Next");
+  return at < 0 ? "" : `<nav class="turn" aria-label="Previous and next page">${links}</nav>`;
 }
 
 function write(page, title, html) {
@@ -87,6 +91,9 @@ for (const page of pages) {
   page.label ??= escape(page.title.replace(/^Lab (\d\d): /, "$1 "));
 }
 for (const page of pages) write(page, page.title, page.html);
-for (const [file, target] of listings)
-  write({ file: target }, file, `<h1>${escape(file)}</h1>\n<pre tabindex="0" class="listing"><code>${escape(readFileSync(file, "utf8"))}</code></pre>\n`);
-console.log(`site: ${pages.length} pages and ${listings.size} listings in ${output}; open ${path.join(output, "index.html")}`);
+for (const [file, target] of listings) {
+  const text = escape(readFileSync(file, "utf8"));
+  write({ file: target }, file, `<h1>${escape(file)}</h1>\n<pre tabindex="0" class="listing"><code>${text}</code></pre>\n`);
+}
+const first = path.join(output, "index.html");
+console.log(`site: ${pages.length} pages and ${listings.size} listings in ${output}; open ${first}`);

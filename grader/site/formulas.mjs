@@ -5,9 +5,11 @@ import katex from "katex";
 const token = (n) => `xFORMULAx${n}x`;
 const tokens = /xFORMULAx(\d+)x/g;
 
-// Either a fence of code, a span of code, a displayed formula or a formula within a line; never across an empty line.
+// Either a fence of code, indented code, a span of code, a displayed formula or a formula within a line; the last three
+// never across an empty line.
 const pieces = new RegExp([
   /^(?<fence>```|~~~)[^]*?^\k<fence>[ ]*$/.source,
+  /(?<=\n\n)(?: {4}.*(?:\n|$))+/.source,
   /(?<ticks>`+)(?!`)(?:(?!\n\n)[^])*?(?<!`)\k<ticks>(?!`)/.source,
   /\$\$(?<display>(?:(?!\n\n)[^])+?)\$\$/.source,
   /(?<![\\$\w])\$(?<line>[^\s$](?:(?:(?!\n\n)[^$])*?[^\s$])?)\$(?![\w$])/.source,

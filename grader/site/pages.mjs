@@ -5,7 +5,8 @@ import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { putFormulas, takeFormulas } from "./formulas.mjs";
 
-export const escape = (text) => text.replace(/&/g, "&amp;").replace(/</g, "&lt;").replace(/>/g, "&gt;").replace(/"/g, "&quot;");
+const entities = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" };
+export const escape = (text) => text.replace(/[&<>"]/g, (letter) => entities[letter]);
 const plain = (html) => html.replace(/<annotation[^]*?<\/annotation>/g, "").replace(/<[^>]*>/g, "");
 
 function parse(markdown) {
@@ -27,7 +28,8 @@ function addAnchors(html) {
 // Width and height stand in a PNG's first chunk, and in an SVG's first tag.
 function pictureSize(file) {
   const bytes = readFileSync(file);
-  if (bytes.toString("latin1", 1, 4) === "PNG") return ` width="${bytes.readUInt32BE(16)}" height="${bytes.readUInt32BE(20)}"`;
+  if (bytes.toString("latin1", 1, 4) === "PNG")
+    return ` width="${bytes.readUInt32BE(16)}" height="${bytes.readUInt32BE(20)}"`;
   const tag = bytes.toString("utf8", 0, 2000).match(/<svg[^>]*>/)?.[0] ?? "";
   const [width, height] = ["width", "height"].map((name) => tag.match(new RegExp(`\\s${name}="(\\d+)(px)?"`))?.[1]);
   return width && height ? ` width="${width}" height="${height}"` : "";
@@ -59,9 +61,11 @@ export function render(source, site) {
   });
   html = html.replace(/<th([^>]*)><\/th>/g, "<td$1></td>"); // Markdown wants a head; an empty one heads nothing
   let table = 0;
-  html = html.replace(/<table>/g, () => `<div class="scroll" role="region" tabindex="0" aria-label="Table ${++table}"><table>`);
+  const scroll = () => `<div class="scroll" role="region" tabindex="0" aria-label="Table ${++table}"><table>`;
+  html = html.replace(/<table>/g, scroll);
   html = html.replace(/<\/table>/g, "</table></div>").replace(/<pre>/g, '<pre tabindex="0">');
-  html = html.replace(/<p>(<span class="katex"><math[^>]*display="block"[^]*?<\/math><\/span>)<\/p>/g, '<div class="formula" tabindex="0">$1</div>');
+  const displayed = /<p>(<span class="katex"><math[^>]*display="block"[^]*?<\/math><\/span>)<\/p>/g;
+  html = html.replace(displayed, '<div class="formula" tabindex="0">$1</div>');
   const title = plain(html.match(/<h1>([^]*?)<\/h1>/)?.[1] ?? source);
   return { html, title };
 }

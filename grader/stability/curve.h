@@ -36,9 +36,9 @@ typedef struct Figure {
 } Figure;
 
 // `measured`, `expected` and `tolerance` are those of the point that is worst off (among equals the one that
-// expects most), or the exponents of a
-// slope. `share` is how much of the tolerance is used there: at most 1 when the curve holds, CURVE_HOPELESS
-// for a curve without points, with a value that is not finite, or off where nothing is tolerated.
+// expects most), or the exponents of a slope. `share` is how much of the tolerance is used there: at most 1
+// when the curve holds, CURVE_HOPELESS for a curve without points, with a value that is not finite, or off
+// where nothing is tolerated.
 typedef struct CurveVerdict {
     bool holds;
     double measured, expected, tolerance, share;

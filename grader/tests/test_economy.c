@@ -30,9 +30,12 @@ static void check_scene(const char *id, const Economy *economy, const char *read
     assert_non_null(strstr(readme, text));
 }
 
+// Under the sanitizers, which make all labs anew, one will do.
 static void check_lab(const char *id, void *readme) {
     static Economy economies[ECONOMY_MAX_SCENES];
     Rubric rubric;
+    if (getenv("QUICK") && strcmp(id, "03") != 0)
+        return;
     load(&rubric, id);
     int count = economy_measure(economies, &rubric, &worker, SEEDS, ENOUGH);
     assert_true(count > 0);

@@ -51,7 +51,7 @@ for name, page in pages.items():
     if "xFORMULAx" in page.text or "katex-error" in (site / name).read_text(): say(name, "has a formula that failed")
 for source in sys.argv[2:]:
     text = re.sub(r"(?ms)^```.*?^```", "", pathlib.Path(source).read_text())
-    text = re.sub(r"`[^`]+`", "", text)
+    text = re.sub(r"(?m)^ {4}.*$", "", re.sub(r"`[^`]+`", "", text))
     count = len(re.findall(r"(?s)\$\$.+?\$\$|\$[^$]+\$", text))
     name = {"README.md": "index", "common/DEBUGGING.md": "debugging", "grader/README.md": "grader"}.get(source, ("/" + source).split("/")[-2]) + ".html"
     if pages[name].math != count: say(name, "has", pages[name].math, "formulas,", source, "has", count)
@@ -99,11 +99,11 @@ mv solutions elsewhere
 runs node grader/site/build.mjs "$work/none"
 expect "the same in a kit, which lacks some files" 0 "pages"
 mv elsewhere solutions
-{ cat "$work/page"; printf '\nPay $5 or `$HOME$`, `` `$x$` ``: $a_1 * b_2 * c$ and 6$.\n\n```sh\necho $1 $2\n```\n\n| $|x|$ | b |\n|---|---|\n| $y$ | $|z|$ |\n'; } >$page
+{ cat "$work/page"; printf '\nPay $5 or `$HOME$`, `` `$x$` ``: $a_1 * b_2 * c$ and 6$.\n\n```sh\necho $1 $2\n```\n\n    set $HOME$ aside\n\n| $|x|$ | b |\n|---|---|\n| $y$ | $|z|$ |\n'; } >$page
 runs node grader/site/build.mjs "$work/none"
 expect "dollars in code and prose" 0
 out=$(tail -40 "$work/none/03-shadow-map.html")
-for text in '<code>$HOME$</code>' '<code>`$x$`</code>' 'echo $1 $2' 'Pay $5' 'and 6$.' '<annotation encoding="application/x-tex">a_1 * b_2 * c</annotation>' '>|z|</annotation>'; do
+for text in '<code>$HOME$</code>' '<code>`$x$`</code>' 'echo $1 $2' 'set $HOME$ aside' 'Pay $5' 'and 6$.' '<annotation encoding="application/x-tex">a_1 * b_2 * c</annotation>' '>|z|</annotation>'; do
     grep -qF -- "$text" <<<"$out" && ok || bad "no $text" "$out"
 done
 finish

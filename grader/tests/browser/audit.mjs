@@ -13,7 +13,10 @@ const views = [
   { name: "dark", colorScheme: "dark", width: 1200, height: 900, axe: true },
   { name: "narrow", colorScheme: "light", width: 360, height: 740 },
 ];
-const flags = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+const flags = [
+  "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-component-update",
+  "--disable-sync",
+];
 
 async function look(context, file, view, shots) {
   const wrong = [];
@@ -27,8 +30,8 @@ async function look(context, file, view, shots) {
     image.loading = "eager";
     return image.decode().catch(() => {});
   })));
-  for (const source of await page.evaluate(() => [...document.images].filter((image) => !image.naturalWidth).map((image) => image.src)))
-    wrong.push(`broken picture ${source}`);
+  const broken = () => [...document.images].filter((image) => !image.naturalWidth).map((image) => image.src);
+  for (const source of await page.evaluate(broken)) wrong.push(`broken picture ${source}`);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
   if (wide > 0) wrong.push(`wider than the window by ${wide} px`);
   if (view.axe) await page.evaluate(axe);
