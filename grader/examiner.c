@@ -27,6 +27,10 @@ Exam *examiner_exam(Examiner *examiner, const GradeOptions *options) {
     return NULL;
 }
 
+void examiner_rest(Examiner *examiner) {
+    client_stop(&examiner->roster.client);
+}
+
 void examiner_forget(Examiner *examiner) {
     if (examiner->exam)
         exam_destroy(examiner->exam);

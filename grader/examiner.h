@@ -28,6 +28,9 @@ bool examiner_open(Examiner *examiner, const char *id);
 // examiner_forget or examiner_close. NULL with a message.
 Exam *examiner_exam(Examiner *examiner, const GradeOptions *options);
 
+// Stops what draws the exam until a picture is wanted that it has not got: it holds some 200 MiB a lab.
+void examiner_rest(Examiner *examiner);
+
 // Frees the exam and stops what draws it, but keeps the rubric.
 void examiner_forget(Examiner *examiner);
 void examiner_close(Examiner *examiner); // accepts a zeroed examiner

@@ -72,6 +72,8 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
         memcpy(report->renderer, examiner->exam->renderer, sizeof report->renderer);
     if (!session->keep)
         examiner_forget(examiner);
+    else if (session->lab_count > 1)
+        examiner_rest(examiner);
     return ok;
 }
 
