@@ -57,6 +57,14 @@ bool client_start(Client *client) {
     return client->started;
 }
 
+// SIGXCPU can be ignored; a second later the kernel kills.
+static bool used_up_its_time(const Client *client) {
+    const Process *process = &client->process;
+    int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
+    return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
+           (number == SIGKILL && !client->each_turn && process->cpu_seconds >= client->seconds);
+}
+
 static DrawResult explain_end(const Client *client, char *text, size_t size) {
     const Process *process = &client->process;
     int status = process->status;
@@ -66,7 +74,7 @@ static DrawResult explain_end(const Client *client, char *text, size_t size) {
                      PROCESS_FLOOD / (1024 * 1024));
         return DRAW_LOST;
     }
-    if (process->state == PROCESS_TIMED_OUT || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)) {
+    if (used_up_its_time(client)) {
         check_append(text, size, "it was stopped after %.0f s: is there an endless loop?", client->seconds);
         return DRAW_TIMEOUT;
     }

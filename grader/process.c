@@ -153,6 +153,8 @@ static bool reap_one(Process *process, pid_t who, int *status) {
     pid_t pid;
     while ((pid = wait4(who, status, 0, &usage)) < 0 && errno == EINTR)
         ;
+    process->cpu_seconds += (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+                            1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
     if (usage.ru_maxrss / 1024 > process->peak_mib)
         process->peak_mib = usage.ru_maxrss / 1024;
     return pid > 0;

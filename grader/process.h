@@ -33,6 +33,7 @@ typedef struct Process {
     ProcessState state;
     bool wrapped;              // it is another program that tells a death by signal N as exit status 128 + N
     int status;                // as waitpid gives it, once the process was reaped
+    double cpu_seconds;        // processor time of the group, once reaped
     long peak_mib;             // resident memory of the largest in the group at its peak, once reaped
     size_t printed;            // bytes it printed in all
     char text[PROCESS_OUTPUT]; // the first of them, a string

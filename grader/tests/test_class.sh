@@ -106,6 +106,14 @@ expect "our fault, mended" 0 "1 submissions, 0 not graded"
 [[ $(tail -1 "$work/fault/grades.csv") == '"one",100.00,100.00,passed' ]] && ok || bad "graded after all" "$(cat "$work/fault/grades.csv")"
 grade=$root/$BUILD/grade
 
+# Who ignores the signal that the time is over is killed, and is still told of the time.
+mkdir -p "$work/late/stubborn" && cp -r solutions/03-shadow-map "$work/late/stubborn"
+sed -i 's|^static bool create(const Frame \*frame) {|#include <signal.h>\n&\n    signal(SIGXCPU, SIG_IGN);\n    for (volatile int i = 0;; i++)\n        ;|' \
+    "$work"/late/stubborn/03-shadow-map/lab.c
+grades --class "$work/late" --output "$work/late-out" --lab 03 --seed $seed --timeout 1
+out+=$(cat "$work"/late-out/results/*.json)
+expect "a loop that ignores SIGXCPU" 0 '"status": "timeout"' "it was stopped after 1 s: is there an endless loop?"
+
 # The JSON fits its schemas; the schemas refuse what is wrong.
 python3 - "$work/whole" <<'PYTHON' && ok || bad "records and class.json fit their schemas"
 import glob, json, sys, jsonschema
