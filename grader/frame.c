@@ -98,14 +98,6 @@ static bool parse(Options *options, int count, char **arguments) {
            check_fail("--lab, --scene and one FILE.png (or --job) are needed");
 }
 
-static const Change *find_mistake(const Rubric *rubric, const char *name) {
-    for (int i = 0; i < rubric->mistake_count; i++)
-        if (strcmp(rubric->mistakes[i].name, name) == 0)
-            return &rubric->mistakes[i];
-    check_fail("lab %s has no mistake \"%s\" in mistakes.json", rubric->id, name);
-    return NULL;
-}
-
 // Compiles the student's lab into `folder`; what gcc says is printed.
 static bool take_submission(const char *folder, const Rubric *rubric, const char *submission) {
     static char log[COMPILE_LOG];
@@ -151,7 +143,7 @@ static bool draw(Options *options, const Rubric *rubric, const char *path) {
     Image image = {0};
     Roster roster = {.rubric = rubric, .context = options->context};
     Random random = {options->seed};
-    const Change *change = options->mistake ? find_mistake(rubric, options->mistake) : NULL;
+    const Change *change = options->mistake ? rubric_mistake(rubric, options->mistake) : NULL;
     bool ok = (change || !options->mistake) && scene_make(&options->request.scene, options->scene, &random);
     const Painter *painter = ok && !options->submission ? roster_get(&roster, options->solved, change) : NULL;
     ok = ok && options->submission

@@ -203,6 +203,23 @@ const char *rubric_task(const Rubric *rubric, int n) {
     return NULL;
 }
 
+static const Change *find_change(const Rubric *rubric, const Change *changes, int count, const char *kind,
+                                 const char *name) {
+    for (int i = 0; i < count; i++)
+        if (strcmp(changes[i].name, name) == 0)
+            return &changes[i];
+    check_fail("lab %s has no %s \"%s\" in %ss.json", rubric->id, kind, name, kind);
+    return NULL;
+}
+
+const Change *rubric_mistake(const Rubric *rubric, const char *name) {
+    return find_change(rubric, rubric->mistakes, rubric->mistake_count, "mistake", name);
+}
+
+const Change *rubric_alternative(const Rubric *rubric, const char *name) {
+    return find_change(rubric, rubric->alternatives, rubric->alternative_count, "alternative", name);
+}
+
 const char *rubric_hint(const Rubric *rubric, const char *task, int n) {
     for (int i = 0; i < rubric->hint_count; i++)
         if (strcmp(rubric->hints[i].task, task) == 0)

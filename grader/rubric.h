@@ -65,3 +65,7 @@ const char *rubric_task(const Rubric *rubric, int n);
 
 // The n-th hint (from 0) of a task; NULL past the last.
 const char *rubric_hint(const Rubric *rubric, const char *task, int n);
+
+// The catalogued mistake, or alternative, of this name; NULL with a message when the lab has none.
+const Change *rubric_mistake(const Rubric *rubric, const char *name);
+const Change *rubric_alternative(const Rubric *rubric, const char *name);

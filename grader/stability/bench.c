@@ -19,7 +19,7 @@ static Artist *open_artist(Bench *bench, const char *lab) {
 Artist *bench_artist(Bench *bench, const char *lab, const Change *change) {
     Artist *artist = open_artist(bench, lab);
     if (artist && !change && bench->fault && strcmp(bench->fault_lab, lab) == 0) {
-        change = artist_mistake(artist, bench->fault);
+        change = rubric_mistake(&artist->rubric, bench->fault);
         if (!change)
             return NULL;
     }

@@ -92,8 +92,8 @@ static bool run_caps(Bench *bench, Findings *findings) {
                                          "distance of the lamp from the line of sight (world units)",
                                          "wrong pixels (share)");
     Artist *artist = bench_artist(bench, "07", NULL);
-    const Change *near_caps = artist ? artist_mistake(artist, "the near caps are missing") : NULL,
-                 *far_caps = artist ? artist_mistake(artist, "the far caps are missing") : NULL;
+    const Change *near_caps = artist ? rubric_mistake(&artist->rubric, "the near caps are missing") : NULL,
+                 *far_caps = artist ? rubric_mistake(&artist->rubric, "the far caps are missing") : NULL;
     const Counting near[] = {
         {bench, findings, figure_curve(near_figure, "failure: z-fail", CURVE_EQUAL), near_caps, Z_FAIL, 0},
         {bench, findings, figure_curve(near_figure, "z-pass does without", CURVE_EQUAL), near_caps, Z_PASS,

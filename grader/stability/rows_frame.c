@@ -37,7 +37,7 @@ static double outside_shadow(const Probe *probe, double half_size) {
 static bool sweep_floor(Bench *bench, Findings *findings, Curve *curve, const char *mistake) {
     const double half = 1, caster = 0.4, texel = 2 * half / 256;
     Artist *artist = bench_artist(bench, "03", NULL);
-    const Change *change = artist && mistake ? artist_mistake(artist, mistake) : NULL;
+    const Change *change = artist && mistake ? rubric_mistake(&artist->rubric, mistake) : NULL;
     bool ok = artist && (change || !mistake);
     for (int i = 0; ok && i <= 6; i++) {
         double wall = half * (1.5 + 0.25 * i), unit = 2 * wall / SIDE;

@@ -97,7 +97,7 @@ static bool run_far(Bench *bench, Findings *findings) {
           *clamped = figure_curve(figure, "remedy: GL_DEPTH_CLAMP", CURVE_EQUAL);
     Artist *artist = bench_artist(bench, "07", NULL);
     const Change *clamp =
-        artist ? artist_alternative(artist, "a finite far plane with GL_DEPTH_CLAMP") : NULL;
+        artist ? rubric_alternative(&artist->rubric, "a finite far plane with GL_DEPTH_CLAMP") : NULL;
     return clamp && sweep_far(&(Counting){bench, findings, finite, &finite_far_plane, Z_FAIL, 0}, true) &&
            sweep_far(&(Counting){bench, findings, infinite, NULL, Z_FAIL, 1}, false) &&
            sweep_far(&(Counting){bench, findings, clamped, clamp, Z_FAIL, 2}, false);
@@ -156,7 +156,8 @@ static bool run_sky(Bench *bench, Findings *findings) {
     Curve *less = figure_curve(figure, "failure: GL_LESS", CURVE_EQUAL),
           *equal = figure_curve(figure, "remedy: GL_LEQUAL", CURVE_EQUAL);
     Artist *artist = bench_artist(bench, "07", NULL);
-    const Change *mistake = artist ? artist_mistake(artist, "z-fail keeps the depth function GL_LESS") : NULL;
+    const Change *mistake =
+        artist ? rubric_mistake(&artist->rubric, "z-fail keeps the depth function GL_LESS") : NULL;
     return mistake && sweep_sky(&(Counting){bench, findings, less, mistake, Z_FAIL, 0}, true) &&
            sweep_sky(&(Counting){bench, findings, equal, NULL, Z_FAIL, 1}, false);
 }

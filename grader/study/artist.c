@@ -5,7 +5,6 @@
 #include "home.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum { SECONDS = 600 }; // that a submission may draw for a study
 
@@ -61,23 +60,6 @@ bool artist_change(Artist *artist, const Change *change) {
     const Painter *painter = roster_get(&artist->roster, (Solved){SOLVED_ALL, NULL}, change);
     artist->painter = painter ? painter : artist->painter;
     return painter != NULL;
-}
-
-static const Change *find(const Artist *artist, const Change *changes, int count, const char *kind,
-                          const char *name) {
-    for (int i = 0; i < count; i++)
-        if (strcmp(changes[i].name, name) == 0)
-            return &changes[i];
-    check_fail("lab %s has no %s \"%s\" in %ss.json", artist->rubric.id, kind, name, kind);
-    return NULL;
-}
-
-const Change *artist_mistake(const Artist *artist, const char *name) {
-    return find(artist, artist->rubric.mistakes, artist->rubric.mistake_count, "mistake", name);
-}
-
-const Change *artist_alternative(const Artist *artist, const char *name) {
-    return find(artist, artist->rubric.alternatives, artist->rubric.alternative_count, "alternative", name);
 }
 
 bool artist_draw(Artist *artist, const Request *request, Image *image, Reply *reply) {

@@ -28,12 +28,6 @@ bool artist_adapt(Artist *artist, const Change *change);
 // artist. False with a message when an edit does not apply or the result does not compile.
 bool artist_change(Artist *artist, const Change *change);
 
-// The catalogued mistake of this name; NULL with a message when the lab has none.
-const Change *artist_mistake(const Artist *artist, const char *name);
-
-// The same of the other correct ways.
-const Change *artist_alternative(const Artist *artist, const char *name);
-
 // Draws; true when the picture is there. False with a message when the lab or its process failed.
 bool artist_draw(Artist *artist, const Request *request, Image *image, Reply *reply);
 

@@ -52,3 +52,18 @@ export async function violations(page) {
     const { violations: found } = await page.evaluate(() => globalThis.axe.run());
     return found.map((rule) => `${rule.id}: ${rule.help}: ${rule.nodes[0].html.slice(0, 200)}`).join('\n    ');
 }
+
+/** Checks that a page misbehaves in no colours and at no width; `ready` waits until it is drawn. */
+export async function behaves(browser, url, title, ready = () => {}) {
+    for (const look of [{}, { dark: true }, { width: 360, height: 700 }]) {
+        const page = await open(browser, url, look);
+        await ready(page);
+        const name = `${title} ${JSON.stringify(look)}`;
+        check(`${name}: no error, dialog or request`, page.misdeeds.length === 0, page.misdeeds.join('\n    '));
+        const found = await violations(page);
+        check(`${name}: axe-core`, found === '', found);
+        const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+        check(`${name}: no scrolling sideways`, overflow <= 0, `${overflow} pixels too wide`);
+        await page.context().close();
+    }
+}

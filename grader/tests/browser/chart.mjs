@@ -1,21 +1,11 @@
 // chart.mjs PAGE: the page of a study, by keyboard and by mouse.
 import { pathToFileURL } from 'node:url';
-import { check, finish, launch, open, violations } from './browser.mjs';
+import { behaves, check, finish, launch, open } from './browser.mjs';
 
 const url = pathToFileURL(process.argv[2]).href;
 const browser = await launch();
 
-for (const look of [{}, { dark: true }, { width: 360, height: 700 }]) {
-    const page = await open(browser, url, look);
-    const name = JSON.stringify(look);
-    await page.waitForFunction(() => document.querySelectorAll('canvas').length > 0);
-    check(`${name}: no error, dialog or request`, page.misdeeds.length === 0, page.misdeeds.join('\n    '));
-    const found = await violations(page);
-    check(`${name}: axe-core`, found === '', found);
-    const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-    check(`${name}: no scrolling sideways`, overflow <= 0, `${overflow} pixels too wide`);
-    await page.context().close();
-}
+await behaves(browser, url, 'the chart', (page) => page.waitForFunction(() => document.querySelectorAll('canvas').length > 0));
 
 const page = await open(browser, url);
 const points = page.locator('[role=option]');

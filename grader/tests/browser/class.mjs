@@ -1,7 +1,7 @@
 // class.mjs OUT: the pages of a class run, by keyboard and by mouse.
 import { readdirSync, readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
-import { check, finish, launch, open, violations } from './browser.mjs';
+import { behaves, check, finish, launch, open } from './browser.mjs';
 
 const out = process.argv[2];
 const url = (path) => pathToFileURL(`${out}/${path}`).href;
@@ -13,16 +13,7 @@ const browser = await launch();
 
 // No page misbehaves, in no colours and at no width.
 for (const path of ['index.html', `pages/${wrong}`, `pages/${refused}`])
-    for (const look of [{}, { dark: true }, { width: 360, height: 700 }]) {
-        const page = await open(browser, url(path), look);
-        const name = `${path} ${JSON.stringify(look)}`;
-        check(`${name}: no error, dialog or request`, page.misdeeds.length === 0, page.misdeeds.join('\n    '));
-        const found = await violations(page);
-        check(`${name}: axe-core`, found === '', found);
-        const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-        check(`${name}: no scrolling sideways`, overflow <= 0, `${overflow} pixels too wide`);
-        await page.context().close();
-    }
+    await behaves(browser, url(path), path);
 
 // The slider: half of each, then by keys, then by mouse.
 const page = await open(browser, url(`pages/${wrong}`));
