@@ -45,7 +45,7 @@ STABILITY := $(patsubst %.c,$(BUILD)/%.o,$(wildcard grader/stability/*.c))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/*.c))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # The floor of common/ without GL, which the grader stands on.
-NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_egl context_osmesa draw frame_view geometry gl model program \
+NO_GL := $(filter-out $(patsubst %,$(BUILD)/common/%.o,casters context context_egl context_osmesa draw frame_view geometry gl gl_state model program \
 	shadow_map target),$(COMMON))
 TESTS := $(patsubst grader/tests/%.c,$(BUILD)/%,$(wildcard grader/tests/test_*.c))
 

@@ -12,6 +12,8 @@ typedef struct Caster {
 } Caster;
 
 static Caster casters[SHAPE_COUNT];
+static Volume volume; // its memory serves all frames
+static GLuint volume_array, volume_buffer;
 
 static bool create(Caster *caster, Shape shape) {
     if (!mesh_create(&caster->mesh, shape) || !adjacency_create(&caster->adjacency, &caster->mesh))
@@ -21,18 +23,31 @@ static bool create(Caster *caster, Shape shape) {
     return true;
 }
 
-static bool create_all(void) {
-    static bool created;
-    for (int shape = 0; !created && shape < SHAPE_COUNT; shape++)
+static void destroy(Caster *caster) {
+    mesh_destroy(&caster->mesh);
+    adjacency_destroy(&caster->adjacency);
+    model_destroy(&caster->model);
+}
+
+bool casters_create(void) {
+    for (int shape = 0; shape < SHAPE_COUNT; shape++)
         if (!create(&casters[shape], (Shape)shape))
             return false;
-    created = true;
+    glGenVertexArrays(1, &volume_array);
+    glGenBuffers(1, &volume_buffer);
     return true;
 }
 
+void casters_destroy(void) {
+    for (int shape = 0; shape < SHAPE_COUNT; shape++)
+        destroy(&casters[shape]);
+    silhouette_destroy(&volume);
+    glDeleteVertexArrays(1, &volume_array);
+    glDeleteBuffers(1, &volume_buffer);
+    volume_array = volume_buffer = 0;
+}
+
 void casters_draw(const Frame *frame, const Program *program) {
-    if (!create_all())
-        return;
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
         const Model *caster = &casters[object->shape].model;
@@ -45,27 +60,19 @@ void casters_draw(const Frame *frame, const Program *program) {
     glBindVertexArray(0);
 }
 
-static void draw_volume(const Volume *volume) {
-    static GLuint vertex_array, buffer;
-    if (!buffer) {
-        glGenVertexArrays(1, &vertex_array);
-        glGenBuffers(1, &buffer);
-    }
-    glBindVertexArray(vertex_array);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, volume->count * (GLsizeiptr)sizeof *volume->corners, volume->corners,
+static void draw_volume(void) {
+    glBindVertexArray(volume_array);
+    glBindBuffer(GL_ARRAY_BUFFER, volume_buffer);
+    glBufferData(GL_ARRAY_BUFFER, volume.count * (GLsizeiptr)sizeof *volume.corners, volume.corners,
                  GL_STREAM_DRAW);
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, NULL);
-    glDrawArrays(GL_TRIANGLES, 0, volume->count);
+    glDrawArrays(GL_TRIANGLES, 0, volume.count);
     glBindVertexArray(0);
 }
 
 void casters_draw_volumes(const Frame *frame) {
-    static Volume volume; // kept, so that its memory is there in the next frame
     volume.count = 0;
-    if (!create_all())
-        return;
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
         const Caster *caster = &casters[object->shape];
@@ -74,5 +81,5 @@ void casters_draw_volumes(const Frame *frame) {
                             &frame->scene->lights[0]))
             return;
     }
-    draw_volume(&volume);
+    draw_volume();
 }

@@ -31,12 +31,12 @@ void draw_destroy(void) {
     empty_vertex_array = 0;
 }
 
-void draw_to_frame(const Frame *frame) {
+void frame_bind(const Frame *frame) {
     glBindFramebuffer(GL_FRAMEBUFFER, frame->framebuffer);
     glViewport(0, 0, frame->width, frame->height);
 }
 
-mat4s draw_clip_from_world(const Frame *frame) {
+mat4s frame_clip_from_world(const Frame *frame) {
     const Camera *camera = &frame->scene->camera;
     float aspect = (float)frame->width / (float)frame->height;
     return glms_mat4_mul(camera_clip_from_view(camera, aspect), camera_view_from_world(camera));

@@ -24,17 +24,17 @@ bool draw_create(void);
 void draw_destroy(void);
 
 // Binds the frame's framebuffer, with the viewport on all of it.
-void draw_to_frame(const Frame *frame);
+void frame_bind(const Frame *frame);
 
 // The matrix of the frame's camera, for a picture of the frame's size.
-mat4s draw_clip_from_world(const Frame *frame);
+mat4s frame_clip_from_world(const Frame *frame);
 
 // Draws all objects: draw_begin and draw_objects.
 void draw_scene(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
 
-// Uses the program and sets, where it has them: u_clip_from_world and the uniforms of shaders/lighting.glsl
-// that belong to the frame, with `eye` as the place of the viewer (for highlights). Others keep what the lab
-// gave them.
+// Uses the program and sets, where it has them: u_clip_from_world and the uniforms of
+// shaders/lighting.glsl that belong to the frame, with `eye` as the place of the viewer (for highlights).
+// Others keep what the lab gave them.
 void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
 
 // Draws all objects with the program in use; sets what belongs to an object: u_world_from_object, u_color,

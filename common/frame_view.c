@@ -1,5 +1,7 @@
 #include "frame_view.h"
 
+#include "gl_state.h"
+
 bool frame_view_create(FrameView *view, const Frame *frame) {
     return target_create(&view->counts, frame->width, frame->height, GL_RGBA8, GL_DEPTH24_STENCIL8) &&
            target_create(&view->rows, frame->width, FRAME_VIEW_ROWS, GL_RGBA8, 0);
@@ -45,5 +47,5 @@ void frame_view_draw(const FrameView *view, const Frame *frame, const Program *p
     copy_rows(frame, &view->rows);
     draw_counts(frame, program, &view->counts);
     gl_reset();
-    draw_to_frame(frame);
+    frame_bind(frame);
 }

@@ -10,7 +10,7 @@ void geometry_draw(const Target *geometry, const Frame *frame, const Program *pr
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     program_set_mat4(program, "u_view_from_world", camera_view_from_world(camera));
-    draw_scene(frame, program, draw_clip_from_world(frame), camera->eye);
+    draw_scene(frame, program, frame_clip_from_world(frame), camera->eye);
 }
 
 void geometry_use(const Target *geometry, const Frame *frame, const Program *program) {

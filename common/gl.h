@@ -19,11 +19,3 @@ void gl_append_caller(char *text, size_t size, void *const *frames, int count);
 
 // Checks that the framebuffer bound to GL_FRAMEBUFFER is complete; the message names `what` and the reason.
 bool gl_check_framebuffer(const char *what);
-
-// Everything a pass may have touched goes back to the state in which a frame begins: depth test on (GL_LESS),
-// back faces culled, nothing bound, no blending, stencil, scissor or polygon offset, all masks open.
-void gl_reset(void);
-
-// A 2D texture without size, texels or filters yet: clamped to its edge, its red channel shown as grey.
-// Bound.
-GLuint gl_create_grey_texture(void);

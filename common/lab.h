@@ -1,11 +1,12 @@
-// The contract between a lab and whoever runs it. A lab is one constant table named `lab` and the functions
-// it names; a program called worker loads it and asks for frames. A lab knows common/ and shaders/, nothing
-// else.
+// The contract between a lab and whoever runs it. A lab is one constant table named `lab` and the
+// functions it names; a program called worker loads it and asks for frames. A lab knows common/
+// and shaders/, nothing else.
 #pragma once
 
 #include "check.h"
 #include "draw.h"
 #include "gl.h"
+#include "gl_state.h"
 #include "mathx.h"
 #include "program.h"
 #include "scene.h"
@@ -13,6 +14,13 @@
 #include "target.h"
 
 #include <stdbool.h>
+
+// UNUSED(frame, program); keeps the compiler quiet about what only a later task uses. Values
+// and functions of any type.
+#define UNUSED(...) lab_leave_unused(0, __VA_ARGS__)
+static inline void lab_leave_unused(int first, ...) {
+    (void)first;
+}
 
 enum { LAB_MAX_PASSES = 8, LAB_MAX_KNOBS = 12, LAB_MAX_STAGES = 8, LAB_MAX_PROGRAMS = 8, LAB_MAX_NAME = 32 };
 
@@ -29,8 +37,8 @@ typedef struct Pass {
     void (*draw)(const Frame *frame);
 } Pass;
 
-// An intermediate result to look at: a 2D texture that the lab owns, colour or depth. It is read after the
-// passes.
+// An intermediate result to look at: a 2D texture that the lab owns, colour or depth. It
+// is read after the passes.
 typedef struct Stage {
     const char *name;
     const GLuint *texture;

@@ -102,32 +102,31 @@ GLint program_find(const Program *program, const char *name) {
     return glGetUniformLocation(program->id, name);
 }
 
-static GLint use_and_find(const Program *program, const char *name) {
+static GLint find(const Program *program, const char *name) {
     GLint location = program_find(program, name);
     if (location < 0)
         require_name(program, name);
-    glUseProgram(program->id);
     return location;
 }
 
 void program_set_mat4(const Program *program, const char *name, mat4s value) {
-    glUniformMatrix4fv(use_and_find(program, name), 1, GL_FALSE, &value.raw[0][0]);
+    glProgramUniformMatrix4fv(program->id, find(program, name), 1, GL_FALSE, &value.raw[0][0]);
 }
 
 void program_set_vec3(const Program *program, const char *name, vec3s value) {
-    glUniform3fv(use_and_find(program, name), 1, value.raw);
+    glProgramUniform3fv(program->id, find(program, name), 1, value.raw);
 }
 
 void program_set_vec4s(const Program *program, const char *name, const vec4s *values, int count) {
-    glUniform4fv(use_and_find(program, name), count, values[0].raw);
+    glProgramUniform4fv(program->id, find(program, name), count, values[0].raw);
 }
 
 void program_set_float(const Program *program, const char *name, float value) {
-    glUniform1f(use_and_find(program, name), value);
+    glProgramUniform1f(program->id, find(program, name), value);
 }
 
 void program_set_int(const Program *program, const char *name, int value) {
-    glUniform1i(use_and_find(program, name), value);
+    glProgramUniform1i(program->id, find(program, name), value);
 }
 
 void program_set_texture(const Program *program, const char *name, int unit, GLenum target, GLuint texture) {

@@ -20,17 +20,17 @@ typedef struct Program {
 bool program_create(Program *program, const ProgramFiles *files);
 void program_destroy(Program *program); // accepts a zeroed program
 
-// Sets a uniform of the program, which is in use afterwards. A name that stands in none of the program's
-// shaders is an error of the lab (see check_message); one that the compiler removed because it has no effect
-// is not.
+// Sets a uniform of the program, which need not be in use; which one is does not change. A name that stands
+// in none of the program's shaders is an error of the lab (see check_message); one that the compiler removed
+// because it has no effect is not.
 void program_set_mat4(const Program *program, const char *name, mat4s value);
 void program_set_vec3(const Program *program, const char *name, vec3s value);
 void program_set_vec4s(const Program *program, const char *name, const vec4s *values, int count); // an array
 void program_set_float(const Program *program, const char *name, float value);
 void program_set_int(const Program *program, const char *name, int value);
 
-// Binds `texture` of `target` (GL_TEXTURE_2D, ...) to texture unit `unit` and points the sampler `name` to
-// it.
+// Binds `texture` of `target` (GL_TEXTURE_2D, ...) to texture unit `unit` and points
+// the sampler `name` to it.
 void program_set_texture(const Program *program, const char *name, int unit, GLenum target, GLuint texture);
 
 // Location of a uniform that the program may do without, -1 when it is not there.

@@ -124,7 +124,7 @@ static float cpu_milliseconds(void) {
 
 static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) {
     gl_reset();
-    draw_to_frame(frame);
+    frame_bind(frame);
     vec3s background = frame->flat_light ? vec3_make(0, 0, 0) : frame->scene->background;
     glClearColor(background.x, background.y, background.z, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);

@@ -1,6 +1,7 @@
 #include "stage_view.h"
 
 #include "draw.h"
+#include "gl_state.h"
 
 bool stage_view_create(StageView *view) {
     if (!program_create(&view->program, &(ProgramFiles){"fullscreen.vert", "texture.frag", NULL}))

@@ -1,6 +1,5 @@
 #version 410 core
 // For passes that only want depth.
 
-void main()
-{
+void main() {
 }

@@ -5,7 +5,6 @@ uniform vec3 u_color;
 
 out vec4 o_color;
 
-void main()
-{
+void main() {
     o_color = vec4(u_color, 1.0);
 }

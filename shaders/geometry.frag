@@ -8,8 +8,7 @@ uniform mat4 u_view_from_world;
 
 out vec4 o_geometry; // normal in view space; distance in front of the camera, along its axis
 
-void main()
-{
+void main() {
     vec3 normal_view = mat3(u_view_from_world) * normalize(v_normal_world);
     o_geometry = vec4(normal_view, -(u_view_from_world * vec4(v_position_world, 1.0)).z);
 }

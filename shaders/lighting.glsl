@@ -1,8 +1,8 @@
-// Phong's lighting (Phong: Illumination for Computer Generated Pictures, CACM 1975), split into the part that a shadow
-// leaves (ambient) and the part that it takes away (diffuse and specular).
+// Phong's lighting (Phong: Illumination for Computer Generated Pictures, CACM 1975), split into the part that
+// a shadow leaves (ambient) and the part that it takes away (diffuse and specular).
 //
-// The visibility view sets u_flat_light: then the ambient part is black and the other part white wherever the surface
-// faces the light, so that the picture shows nothing but the shadow.
+// The visibility view sets u_flat_light: then the ambient part is black and the other part white wherever the
+// surface faces the light, so that the picture shows nothing but the shadow.
 
 struct Light {
     vec3 position_world;
@@ -22,22 +22,19 @@ uniform float u_specular;
 uniform float u_shininess;
 
 // Unit vector from the surface to light i.
-vec3 light_direction(int i, vec3 position_world)
-{
+vec3 direction_to_light(int i, vec3 position_world) {
     if (u_lights[i].is_directional)
         return normalize(u_lights[i].position_world - u_lights[i].target_world);
     return normalize(u_lights[i].position_world - position_world);
 }
 
-vec3 phong_ambient()
-{
+vec3 phong_ambient() {
     return u_flat_light ? vec3(0.0) : u_ambient_light * u_color;
 }
 
 // Light i's diffuse and specular reflection, without any shadow.
-vec3 phong_diffuse_specular(int i, vec3 position_world, vec3 normal_world)
-{
-    vec3 to_light = light_direction(i, position_world);
+vec3 phong_diffuse_specular(int i, vec3 position_world, vec3 normal_world) {
+    vec3 to_light = direction_to_light(i, position_world);
     vec3 normal = normalize(normal_world);
     float facing = dot(normal, to_light);
     if (u_flat_light)

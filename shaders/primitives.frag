@@ -5,7 +5,6 @@ uniform int u_object; // number in the scene
 
 out vec4 o_color;
 
-void main()
-{
+void main() {
     o_color = vec4(u_object + 1, gl_PrimitiveID & 255, gl_PrimitiveID >> 8, 255) / 255.0;
 }

@@ -15,14 +15,12 @@ out vec2 v_uv;
 flat out int v_face; // of flat shapes: the number of the face among all faces, six an object
 
 // +x, -x, +y, -y, +z, -z in object space: 0 to 5.
-int face_number(vec3 normal)
-{
+int face_number(vec3 normal) {
     int axis = abs(normal.x) > 0.5 ? 0 : abs(normal.y) > 0.5 ? 1 : 2;
     return 2 * axis + (normal[axis] < 0.0 ? 1 : 0);
 }
 
-void main()
-{
+void main() {
     vec4 position_world = u_world_from_object * vec4(a_position, 1.0);
     v_position_world = position_world.xyz;
     // The inverse transpose keeps normals upright under a scale that differs by axis.

@@ -1,7 +1,7 @@
 #version 410 core
-// A magnifying glass: the shadow map around one point of the world, a little more than a disc of radius u_radius_texels,
-// with one dot for each offset that belongs to u_pixel. Grey: what the map says about the point from there (bright: lit).
-// Dots: yellow lit, blue dark; large the first eight.
+// A magnifying glass: the shadow map around one point of the world, a little more than a disc of radius
+// u_radius_texels, with one dot for each offset that belongs to u_pixel. Grey: what the map says about the
+// point from there (bright: lit). Dots: yellow lit, blue dark; large the first eight.
 
 #include "shadow_map.glsl"
 
@@ -19,20 +19,17 @@ const float SHOWN = 1.15; // half the side of the picture; the disc has radius 1
 
 vec3 position_map;
 
-bool is_lit(vec2 offset)
-{
+bool is_lit(vec2 offset) {
     vec2 radius = u_radius_texels / vec2(textureSize(u_shadow_map, 0));
     return texture(u_shadow_map, position_map.xy + offset * radius).r >= position_map.z;
 }
 
-void draw_dot(vec2 here, vec2 offset, int sample_number)
-{
+void draw_dot(vec2 here, vec2 offset, int sample_number) {
     if (distance(here, offset) < (sample_number < 8 ? 0.09 : 0.06))
         o_color.rgb = is_lit(offset) ? vec3(1.0, 0.85, 0.2) : vec3(0.1, 0.2, 0.7);
 }
 
-void main()
-{
+void main() {
     vec2 here = SHOWN * (2.0 * v_uv - 1.0);
     float outside;
     find_in_shadow_map(u_position_world, position_map, outside);

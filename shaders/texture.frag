@@ -8,8 +8,7 @@ uniform bool u_is_depth;
 
 out vec4 o_color;
 
-void main()
-{
+void main() {
     vec4 texel = texture(u_texture, v_uv);
     o_color = u_is_depth ? vec4(texel.rrr, 1.0) : vec4(texel.rgb, 1.0);
 }

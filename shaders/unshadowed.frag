@@ -8,7 +8,6 @@ in vec3 v_normal_world;
 
 out vec4 o_color;
 
-void main()
-{
+void main() {
     o_color = vec4(phong_ambient() + phong_diffuse_specular(0, v_position_world, v_normal_world), 1.0);
 }

@@ -5,7 +5,6 @@ layout(location = 0) in vec4 a_position_world;
 
 uniform mat4 u_clip_from_world;
 
-void main()
-{
+void main() {
     gl_Position = u_clip_from_world * a_position_world;
 }

@@ -23,7 +23,7 @@ static const float half_map = 5;
     "    draw_scene(frame, &frame->programs[PROGRAM_DEPTH], light_clip_from_world(light), "                  \
     "light->position);\n"
 #define DRAW_PICTURE                                                                                         \
-    "    draw_scene(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);\n"
+    "    draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);\n"
 
 static const Change volume_fragments = {
     .name = "fragments of volumes",

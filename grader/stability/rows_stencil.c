@@ -31,8 +31,8 @@ enum { SIZE = COUNTING_SIZE, BITS = 256, WALK = 200, ORDERS = 3 };
         {"volume.geom", "layout(triangles_adjacency) in;",                                                   \
          "layout(triangles_adjacency, invocations = 32) in;\nuniform int u_copies;"},                        \
     {                                                                                                        \
-        "volume.geom", "void main()\n{\n",                                                                   \
-            "void main()\n{\n    if (gl_InvocationID >= u_copies)\n        return;\n"                        \
+        "volume.geom", "void main() {\n",                                                                    \
+            "void main() {\n    if (gl_InvocationID >= u_copies)\n        return;\n"                         \
     }
 
 static const Change wrapping = {.name = "many copies", .edits = {COPIES}, .edit_count = 3};

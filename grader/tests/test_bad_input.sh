@@ -55,7 +55,7 @@ case_ endless-loop 1 "it was stopped after $limit s: is there an endless loop?" 
 put sleeper 'sleep(1000);'
 case_ sleeper 1 "it was stopped after $limit s" ", timeout"
 
-put endless-shader 'for (int i = 0; i < 1000; i++) draw_scene(frame, \&frame->programs[PROGRAM_SHADOW], draw_clip_from_world(frame), vec3_make(0, 0, 0));'
+put endless-shader 'for (int i = 0; i < 1000; i++) draw_scene(frame, \&frame->programs[PROGRAM_SHADOW], frame_clip_from_world(frame), vec3_make(0, 0, 0));'
 sed -i 's|^void main()|float spin() { float x = 0.5; for (int i = 0; i >= 0; i++) x = fract(x * 3.7 + sin(x)); return x; }\n&|; s|vec3 ambient = phong_ambient();|vec3 ambient = phong_ambient() + 1e-9 * spin();|' "$(shader endless-shader)"
 case_ endless-shader 1 "it was stopped after $limit s" ", timeout"
 timeout=20
@@ -64,7 +64,7 @@ put early-exit 'exit(0);'
 case_ early-exit 1 "it ended by itself with exit status 0 before the frame was drawn"
 
 solved nothing-drawn >/dev/null
-sed -i 's|draw_to_frame(frame);|draw_to_frame(frame); return;|' "$(c nothing-drawn)"
+sed -i 's|frame_bind(frame);|frame_bind(frame); return;|' "$(c nothing-drawn)"
 case_ nothing-drawn 1 "nothing drawn: the whole picture has one colour"
 
 solved not-a-number >/dev/null
@@ -106,7 +106,7 @@ sed -i 's/^const Lab lab/const Lab my_lab/' "$(c no-table)"
 case_ no-table 1 "lab.c defines no complete table"
 
 solved undefined >/dev/null
-sed -i 's/draw_to_frame(frame);/draw_too_frame(frame);/' "$(c undefined)"
+sed -i 's/frame_bind(frame);/draw_too_frame(frame);/' "$(c undefined)"
 case_ undefined 1 "draw_too_frame"
 
 solved gl-error >/dev/null

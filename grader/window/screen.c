@@ -42,6 +42,7 @@ static void draw_part(const Screen *screen, vec4s part, const Place *place, GLin
     glViewport(place->x, place->y, place->width, place->height);
     program_set_texture(&screen->program, "u_picture", 0, GL_TEXTURE_2D, screen->texture);
     program_set_vec4s(&screen->program, "u_part", &part, 1);
+    glUseProgram(screen->program.id);
     glDisable(GL_DEPTH_TEST);
     glBindVertexArray(screen->array);
     glDrawArrays(GL_TRIANGLES, 0, 3);

@@ -190,6 +190,7 @@ void text_draw(Text *text, int width, int height) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     program_set_vec3(&text->program, "u_window_size", vec3_make((float)width, (float)height, 0));
     program_set_texture(&text->program, "u_font", 0, GL_TEXTURE_2D, text->texture);
+    glUseProgram(text->program.id);
     glBindVertexArray(text->array);
     glBindBuffer(GL_ARRAY_BUFFER, text->buffer);
     glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)text->count * sizeof *text->vertices), text->vertices,

@@ -8,7 +8,6 @@ uniform sampler2D u_font;
 
 out vec4 o_color;
 
-void main()
-{
+void main() {
     o_color = vec4(v_color.rgb, v_color.a * texture(u_font, v_uv).r);
 }

@@ -10,8 +10,7 @@ uniform vec3 u_window_size; // pixels; z is not used
 out vec2 v_uv;
 out vec4 v_color;
 
-void main()
-{
+void main() {
     v_uv = a_uv;
     v_color = a_color;
     vec2 place = a_position / u_window_size.xy;

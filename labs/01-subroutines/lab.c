@@ -21,7 +21,7 @@ static const char *finish_of(const Frame *frame) {
 static void enter(GLuint indices[], GLuint program, const char *uniform, const char *function) {
     // TODO(1.2): indices[l] = i, where l is the location of the uniform (-1: there is none, do nothing) and i
     // the index of the function. Look up: glGetSubroutineUniformLocation, glGetSubroutineIndex.
-    (void)indices, (void)program, (void)uniform, (void)function;
+    UNUSED(indices, program, uniform, function);
 }
 
 // Points u_shade and u_finish of the program, which must be in use, to these functions.
@@ -29,7 +29,7 @@ static void choose(GLuint program, const char *model, const char *finish) {
     GLuint indices[4] = {0};
     enter(indices, program, "u_shade", model);
     // TODO(1.5), in C: enter `finish` for u_finish, too.
-    (void)finish;
+    UNUSED(finish);
     // TODO(1.2), second part: hand all indices over at once. Their number must be that of the locations: ask
     // glGetProgramStageiv for GL_ACTIVE_SUBROUTINE_UNIFORM_LOCATIONS. Look up: glUniformSubroutinesuiv.
 }
@@ -45,9 +45,9 @@ static void draw_left_half(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADE];
     limit_columns(frame, 0, 0.5f);
     // glUseProgram is called in draw_begin.
-    draw_begin(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_begin(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
     // TODO(1.2), third part: choose the model of KNOB_LEFT_MODEL and the finish. (Why not before draw_begin?)
-    (void)choose, (void)model_of, (void)finish_of;
+    UNUSED(choose, model_of, finish_of);
     draw_objects(frame, program);
 }
 
@@ -63,7 +63,7 @@ static void draw_divider(const Frame *frame) {
 static void draw_right_half(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADE];
     limit_columns(frame, 0.505f, 1);
-    draw_begin(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_begin(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
     // TODO(1.4): the divider has used another program, and glUseProgram has forgotten what was chosen for
     // this one: choose again, with KNOB_RIGHT_MODEL.
     draw_objects(frame, program);

@@ -3,7 +3,7 @@
 // to GLSL what pointers to functions are to C: u_shade lights a point, u_finish changes how that is shown.
 //
 // From lighting.glsl: u_color, u_specular, u_shininess, u_ambient_light, u_lights[0].color, u_eye_world and
-// light_direction(0, position_world), the unit vector to the light. A v_normal_world may have any length.
+// direction_to_light(0, position_world), the unit vector to the light. A v_normal_world may have any length.
 
 #include "lighting.glsl"
 
@@ -30,8 +30,7 @@ out vec4 o_color;
 // TODO(1.6): one function of both types, normal_as_color(vec3 unused, vec3 normal_world): the unit normal as
 // a colour, brought from [-1, 1] to [0, 1].
 
-void main()
-{
+void main() {
     // TODO(1.1), second part: call u_shade like a function. Until then: the object's colour without light.
     vec3 color = u_color;
     // TODO(1.5), in GLSL, second part: pass color through u_finish.

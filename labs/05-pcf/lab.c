@@ -45,8 +45,7 @@ static void destroy(void) {
 static float tap_reach(int method, float radius) {
     // TODO(5.6): the farthest tap's offset, plus what its filter adds: 1/2 for the nearest texel, 1 for the
     // linear filter. As it stands it is right for METHOD_HARD alone.
-    (void)method;
-    (void)radius;
+    UNUSED(method, radius);
     return 0.5f;
 }
 
@@ -58,7 +57,7 @@ static void draw_map(const Frame *frame) {
     // TODO(5.6), second part: from a point to a texel `reach` away in x and in y, the depth of a plane
     // changes by up to reach * (|dz/dx| + |dz/dy|). One unit of the factor gives max(|dz/dx|, |dz/dy|). Which
     // factor is always enough?
-    (void)reach;
+    UNUSED(reach);
     glPolygonOffset(1, 2);
     draw_scene(frame, &frame->programs[PROGRAM_DEPTH], shadow_map_clip_from_world(light), light->position);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -66,7 +65,7 @@ static void draw_map(const Frame *frame) {
 
 static void draw_picture(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADOW];
-    draw_to_frame(frame);
+    frame_bind(frame);
     program_set_mat4(program, "u_light_clip_from_world",
                      shadow_map_clip_from_world(&frame->scene->lights[0]));
     program_set_int(program, "u_method", (int)frame->knobs[KNOB_METHOD]);
@@ -74,7 +73,7 @@ static void draw_picture(const Frame *frame) {
     program_set_texture(program, "u_depths", UNIT_DEPTHS, GL_TEXTURE_2D, state.map.texture);
     program_set_texture(program, "u_shadow_map", UNIT_COMPARED, GL_TEXTURE_2D, state.map.texture);
     glBindSampler(UNIT_DEPTHS, state.depths);
-    draw_scene(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
     glBindSampler(UNIT_DEPTHS, 0);
 }
 

@@ -12,73 +12,76 @@ uniform sampler2DShadow u_shadow_map; // the same map; a lookup compares as task
 uniform int u_method;
 uniform int u_radius; // of the box, texels
 
+// The values of u_method, as in lab.c.
+const int HARD = 0, BY_HAND = 1, LINEAR = 2, DIAGONALS = 3, BOX = 4, GATHER = 5;
+
 out vec4 o_color;
 
 // Method 0, the answer of lab 03: one texel, all or nothing.
-float hard(vec3 position_map)
-{
+float hard(vec3 position_map) {
     return texture(u_depths, position_map.xy).r < position_map.z ? 0.0 : 1.0;
 }
 
 // Method 1: 3 x 3 texels, compared one by one.
-float by_hand(vec3 position_map)
-{
-    // TODO(5.1): the share of lit ones among 3 x 3 texels: compare each depth on its own, then take the mean of the
-    // answers. A neighbour lies one texel away, which is 1 / (size of the map). Look up: textureSize.
+float by_hand(vec3 position_map) {
+    // TODO(5.1): the share of lit ones among 3 x 3 texels: compare each depth on its own, then take the mean
+    // of the answers. A neighbour lies one texel away, which is 1 / (size of the map). Look up: textureSize.
     return hard(position_map);
 }
 
 // Method 2: one lookup that compares four texels and blends the answers.
-float linear(vec3 position_map)
-{
-    // TODO(5.2), second part: look up u_shadow_map. Look up: texture with a sampler2DShadow; what is its third
-    // coordinate, and what does it return?
+float linear(vec3 position_map) {
+    // TODO(5.2), second part: look up u_shadow_map. Look up: texture with a sampler2DShadow; what is its
+    // third coordinate, and what does it return?
     return by_hand(position_map);
 }
 
 // Method 3: the mean of four such lookups, one texel away along both diagonals.
-float diagonals(vec3 position_world, vec3 position_map)
-{
-    // TODO(5.3): make homogeneous coordinates whose xyz / w lie in [0, 1]: start from u_light_clip_from_world *
-    // position, where xyz / w lie in [-1, 1]. Let the lookup divide. Look up: textureProjOffset.
+float diagonals(vec3 position_world, vec3 position_map) {
+    // TODO(5.3): make homogeneous coordinates whose xyz / w lie in [0, 1]: start from
+    // u_light_clip_from_world * position, where xyz / w lie in [-1, 1]. Let the lookup divide. Look up:
+    // textureProjOffset.
     return linear(position_map);
 }
 
 // Method 4: the mean of (2 * u_radius + 1)^2 such lookups, one texel apart.
-float box(vec3 position_world, vec3 position_map)
-{
+float box(vec3 position_world, vec3 position_map) {
     // TODO(5.4): as in 5.1, but with the lookup of 5.2 and for any u_radius.
     return diagonals(position_world, position_map);
 }
 
 // Method 5: the pixels of method 4 with u_radius = 1, from four lookups instead of nine.
-float gather(vec3 position_map)
-{
-    // TODO(5.5): nine lookups that blend 2 x 2 texels each ask only 4 x 4 different texels. Along one axis, with f the
-    // place between the two middle ones, these weigh 1 - f, 1, 1, f (thirds). textureGather asks 2 x 2 texels and
-    // returns the four answers unblended: x upper left, y upper right, z lower right, w lower left. Place the four
-    // lookups on corners of texels, where it is certain which four are meant. Look up: textureGather, floor.
+float gather(vec3 position_map) {
+    // TODO(5.5): nine lookups that blend 2 x 2 texels each ask only 4 x 4 different texels. Along one axis,
+    // with f the place between the two middle ones, these weigh 1 - f, 1, 1, f (thirds). textureGather asks
+    // 2 x 2 texels and returns the four answers unblended: x upper left, y upper right, z lower right, w
+    // lower left. Place the four lookups on corners of texels, where it is certain which four are meant.
+    // Look up: textureGather, floor.
     return linear(position_map);
 }
 
-float visibility(vec3 position_world)
-{
+float visibility(vec3 position_world) {
     vec3 position_map;
     float outside;
     if (!find_in_shadow_map(position_world, position_map, outside))
         return outside;
     switch (u_method) {
-    case 1: return by_hand(position_map);
-    case 2: return linear(position_map);
-    case 3: return diagonals(position_world, position_map);
-    case 4: return box(position_world, position_map);
-    case 5: return gather(position_map);
-    default: return hard(position_map);
+    case BY_HAND:
+        return by_hand(position_map);
+    case LINEAR:
+        return linear(position_map);
+    case DIAGONALS:
+        return diagonals(position_world, position_map);
+    case BOX:
+        return box(position_world, position_map);
+    case GATHER:
+        return gather(position_map);
+    default:
+        return hard(position_map);
     }
 }
 
-void main()
-{
+void main() {
     float lit = visibility(v_position_world);
     o_color = vec4(phong_ambient() + lit * phong_diffuse_specular(0, v_position_world, v_normal_world), 1.0);
 }

@@ -20,14 +20,14 @@ static vec2s square_from_sample(const Pattern *pattern, int k, vec2s jitter) {
     // TODO(6.3): cut the square into pattern->columns x pattern->rows cells and put sample k into a cell of
     // its own: into column k mod columns, and into the last row (v near 1) first, the row below after it, and
     // so on. It lies in the middle of its cell, moved by `jitter`, whose unit is one cell.
-    (void)pattern, (void)k;
+    UNUSED(pattern, k);
     return (vec2s){{jitter.x + 0.5f, jitter.y + 0.5f}};
 }
 
 // From (u, v) in the unit square to the disc of radius 1 around (0, 0), evenly.
 static vec2s disc_from_square(vec2s square) {
-    // TODO(6.2): u goes once around the disc; v becomes the square of the distance to the centre. Look up:
-    // sqrtf, cosf.
+    // TODO(6.2): u goes once around the disc; v becomes the square of the distance to the
+    // centre. Look up: sqrtf, cosf.
     return (vec2s){{2 * square.x - 1, 2 * square.y - 1}};
 }
 
@@ -63,9 +63,9 @@ static bool pattern_create(Pattern *pattern) {
     if (!texels)
         return check_fail("out of memory for the offsets");
     fill_offsets(pattern, texels);
-    // TODO(6.1), second part: make the 3D texture pattern->offsets from `texels`, with 32-bit floats (they
-    // are negative, too) and without mipmaps. Look up: glTexImage3D, GL_RGBA32F, glTexParameteri with
-    // GL_TEXTURE_MIN_FILTER.
+    // TODO(6.1), second part: make the 3D texture pattern->offsets from `texels`, with 32-bit floats
+    // (they are negative, too) and without mipmaps. Look up: glTexImage3D, GL_RGBA32F,
+    // glTexParameteri with GL_TEXTURE_MIN_FILTER.
     free(texels);
     return true;
 }

@@ -19,7 +19,8 @@ static vec3s cosine_direction(const Chart *chart, vec2s pair) {
     // TODO(8.7): a point of the unit disc, at the radius r = sqrt(pair.x) and the angle 2 pi pair.y, lifted
     // onto the hemisphere: x = r cos, y = r sin, z = sqrt(1 - pair.x). In the world: x right + y up + z
     // normal of the chart. Until then all rays go straight up. Look up: glms_vec3_scale, glms_vec3_add.
-    return (void)pair, chart->normal;
+    UNUSED(pair);
+    return chart->normal;
 }
 
 // Share of the rays from this place that hit something. The texel's number is the seed of its rays.
@@ -27,7 +28,7 @@ static float occlusion_at(const Frame *frame, const Chart *chart, vec3s position
     int rays = (int)frame->knobs[KNOB_RAYS], hits = 0;
     // TODO(8.6): from RAY_OFFSET above the place, along the normal, cast `rays` rays as long as the knob
     // says, the i-th in the direction that sample_pair(texel, i, rays) gives. Count hits. Look up: ray_hits.
-    (void)chart, (void)position, (void)texel, (void)cosine_direction;
+    UNUSED(chart, position, texel, cosine_direction);
     return (float)hits / (float)rays;
 }
 
@@ -38,16 +39,16 @@ static float bake_at(const Frame *frame, const Chart *chart, vec3s position, int
 }
 
 static void fill_chart(const Frame *frame, Atlas *atlas, const Chart *chart) {
-    // TODO(8.2): give each texel (x, y) of the chart bake_at of its middle: s = (x + 1/2) / width, t
-    // likewise. Its number is row * atlas->width + column, counted in the atlas. Look up: atlas_position,
-    // Chart.
-    (void)frame, (void)atlas, (void)chart, (void)bake_at;
+    // TODO(8.2): give each texel (x, y) of the chart bake_at of its middle: s = (x + 1/2) /
+    // width, t likewise. Its number is row * atlas->width + column, counted in the atlas.
+    // Look up: atlas_position, Chart.
+    UNUSED(frame, atlas, chart, bake_at);
 }
 
 static void pad_chart(Atlas *atlas, const Chart *chart) {
     // TODO(8.5): give each texel of the padding (x from -padding to width + padding - 1, y likewise) the
     // value of the chart's texel nearest to it: x limited to 0 .. width - 1, y to 0 .. height - 1.
-    (void)atlas, (void)chart;
+    UNUSED(atlas, chart);
 }
 
 static void bake(const Frame *frame) {
@@ -91,12 +92,12 @@ static void draw_screen_occlusion(const Frame *frame) {
 
 static void draw_picture(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_PICTURE];
-    draw_to_frame(frame);
+    frame_bind(frame);
     program_set_texture(program, "u_baked", 0, GL_TEXTURE_2D, state.texture);
     program_set_texture(program, "u_screen", 1, GL_TEXTURE_2D, state.screen.color);
     program_set_int(program, "u_use_screen", frame->knobs[KNOB_METHOD] > 0);
     program_set_vec4s(program, "u_charts", state.atlas.rectangles, ATLAS_MAX_CHARTS);
-    draw_scene(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
 }
 
 const Lab lab = {

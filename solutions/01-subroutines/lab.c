@@ -26,7 +26,7 @@ static void enter(GLuint indices[], GLuint program, const char *uniform, const c
 #else
     // TODO(1.2): indices[l] = i, where l is the location of the uniform (-1: there is none, do nothing) and i
     // the index of the function. Look up: glGetSubroutineUniformLocation, glGetSubroutineIndex.
-    (void)indices, (void)program, (void)uniform, (void)function;
+    UNUSED(indices, program, uniform, function);
 #endif
 }
 
@@ -38,7 +38,7 @@ static void choose(GLuint program, const char *model, const char *finish) {
     enter(indices, program, "u_finish", finish);
 #else
     // TODO(1.5), in C: enter `finish` for u_finish, too.
-    (void)finish;
+    UNUSED(finish);
 #endif
 #ifdef SOLUTION // 1.2
     GLint count = 0;
@@ -61,12 +61,12 @@ static void draw_left_half(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADE];
     limit_columns(frame, 0, 0.5f);
     // glUseProgram is called in draw_begin.
-    draw_begin(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_begin(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
 #ifdef SOLUTION // 1.2
     choose(program->id, model_of(frame, KNOB_LEFT_MODEL), finish_of(frame));
 #else
     // TODO(1.2), third part: choose the model of KNOB_LEFT_MODEL and the finish. (Why not before draw_begin?)
-    (void)choose, (void)model_of, (void)finish_of;
+    UNUSED(choose, model_of, finish_of);
 #endif
     draw_objects(frame, program);
 }
@@ -83,7 +83,7 @@ static void draw_divider(const Frame *frame) {
 static void draw_right_half(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADE];
     limit_columns(frame, 0.505f, 1);
-    draw_begin(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_begin(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
 #ifdef SOLUTION // 1.4
     choose(program->id, model_of(frame, KNOB_RIGHT_MODEL), finish_of(frame));
 #else

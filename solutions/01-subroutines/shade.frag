@@ -3,7 +3,7 @@
 // to GLSL what pointers to functions are to C: u_shade lights a point, u_finish changes how that is shown.
 //
 // From lighting.glsl: u_color, u_specular, u_shininess, u_ambient_light, u_lights[0].color, u_eye_world and
-// light_direction(0, position_world), the unit vector to the light. A v_normal_world may have any length.
+// direction_to_light(0, position_world), the unit vector to the light. A v_normal_world may have any length.
 
 #include "lighting.glsl"
 
@@ -17,14 +17,12 @@ subroutine vec3 FinishType(vec3 color, vec3 normal_world);
 subroutine uniform FinishType u_finish;
 
 subroutine(FinishType)
-vec3 finish_plain(vec3 color, vec3 normal_world)
-{
+vec3 finish_plain(vec3 color, vec3 normal_world) {
     return color;
 }
 
 subroutine(FinishType)
-vec3 finish_posterised(vec3 color, vec3 normal_world)
-{
+vec3 finish_posterised(vec3 color, vec3 normal_world) {
     return floor(4.0 * color + 0.5) / 4.0;
 }
 #else
@@ -39,15 +37,13 @@ subroutine vec3 ShadeType(vec3 position_world, vec3 normal_world);
 subroutine uniform ShadeType u_shade;
 
 subroutine(ShadeType)
-vec3 shade_ambient(vec3 position_world, vec3 normal_world)
-{
+vec3 shade_ambient(vec3 position_world, vec3 normal_world) {
     return u_ambient_light * u_color;
 }
 
 subroutine(ShadeType)
-vec3 shade_diffuse(vec3 position_world, vec3 normal_world)
-{
-    float facing = dot(normalize(normal_world), light_direction(0, position_world));
+vec3 shade_diffuse(vec3 position_world, vec3 normal_world) {
+    float facing = dot(normalize(normal_world), direction_to_light(0, position_world));
     vec3 diffuse = u_lights[0].color * u_color * max(facing, 0.0);
     return u_ambient_light * u_color + diffuse;
 }
@@ -61,10 +57,9 @@ vec3 shade_diffuse(vec3 position_world, vec3 normal_world)
 
 #ifdef SOLUTION // 1.3
 subroutine(ShadeType)
-vec3 shade_phong(vec3 position_world, vec3 normal_world)
-{
+vec3 shade_phong(vec3 position_world, vec3 normal_world) {
     vec3 normal = normalize(normal_world);
-    vec3 to_light = light_direction(0, position_world);
+    vec3 to_light = direction_to_light(0, position_world);
     vec3 to_eye = normalize(u_eye_world - position_world);
     float highlight = pow(max(dot(reflect(-to_light, normal), to_eye), 0.0), u_shininess);
     if (dot(normal, to_light) <= 0.0)
@@ -79,8 +74,7 @@ vec3 shade_phong(vec3 position_world, vec3 normal_world)
 
 #ifdef SOLUTION // 1.6
 subroutine(ShadeType, FinishType)
-vec3 normal_as_color(vec3 unused, vec3 normal_world)
-{
+vec3 normal_as_color(vec3 unused, vec3 normal_world) {
     return 0.5 * normalize(normal_world) + 0.5;
 }
 #else
@@ -88,8 +82,7 @@ vec3 normal_as_color(vec3 unused, vec3 normal_world)
 // a colour, brought from [-1, 1] to [0, 1].
 #endif
 
-void main()
-{
+void main() {
 #ifdef SOLUTION // 1.1
     vec3 color = u_shade(v_position_world, v_normal_world);
 #else

@@ -11,15 +11,15 @@ const float u_view_range = 12.0; // world units
 
 out vec4 o_color;
 
-void main()
-{
+void main() {
 #ifdef SOLUTION // 2.6
     float z_ndc = 2.0 * texture(u_depth_texture, v_uv).r - 1.0;
     float distance = 2.0 * u_near * u_far / (u_far + u_near - z_ndc * (u_far - u_near));
     o_color = vec4(vec3(distance / u_view_range), 1.0);
 #else
-    // TODO(2.6): read the depth at v_uv (in [0, 1]), turn it into z_ndc (in [-1, 1]), that into the distance from the
-    // camera with the formula of the handout, and show distance / u_view_range as grey. Until then: magenta.
+    // TODO(2.6): read the depth at v_uv (in [0, 1]), turn it into z_ndc (in [-1, 1]), that into the
+    // distance from the camera with the formula of the handout, and show distance / u_view_range as
+    // grey. Until then: magenta.
     o_color = vec4(1.0, 0.0, 1.0, 1.0);
 #endif
 }

@@ -1,5 +1,5 @@
-// Lab 02: framebuffers. Draw the scene into a texture and show the texture on a screen that stands in the
-// scene.
+// Lab 02: framebuffers. Draw the scene into a texture and show the texture on a screen
+// that stands in the scene.
 #include "lab.h"
 
 enum { KNOB_TEXTURE_SIZE, KNOB_FULL_SCREEN };
@@ -53,9 +53,9 @@ static bool create_depth_target(void) {
     glReadBuffer(GL_NONE);
     return gl_check_framebuffer("depth target");
 #else
-    // TODO(2.4): make a depth texture (GL_DEPTH_COMPONENT24, GL_NEAREST), state.size x state.size, and attach
-    // it to a new framebuffer that has no colour at all. Look up: glTexImage2D, glFramebufferTexture2D,
-    // glDrawBuffer.
+    // TODO(2.4): make a depth texture (GL_DEPTH_COMPONENT24, GL_NEAREST), state.size x
+    // state.size, and attach it to a new framebuffer that has no colour at all. Look up:
+    // glTexImage2D, glFramebufferTexture2D, glDrawBuffer.
     return true; // then: return gl_check_framebuffer("depth target");
 #endif
 }
@@ -90,10 +90,10 @@ static void draw_into_color_texture(const Frame *frame) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     draw_second_view(frame);
 #else
-    // TODO(2.2): bind the colour framebuffer, set the viewport to all of the texture, clear colour (to 0.8,
-    // 0.85, 0.9) and depth, and call draw_second_view(frame). Look up: glBindFramebuffer, glViewport,
-    // glClear.
-    (void)frame, (void)draw_second_view;
+    // TODO(2.2): bind the colour framebuffer, set the viewport to all of the texture, clear
+    // colour (to 0.8, 0.85, 0.9) and depth, and call draw_second_view(frame). Look up:
+    // glBindFramebuffer, glViewport, glClear.
+    UNUSED(frame, draw_second_view);
 #endif
 }
 
@@ -105,7 +105,7 @@ static void draw_into_depth_texture(const Frame *frame) {
     draw_second_view(frame);
 #else
     // TODO(2.4): the same as in 2.2 for the depth framebuffer.
-    (void)frame;
+    UNUSED(frame);
 #endif
 }
 
@@ -128,7 +128,7 @@ static void draw_picture(const Frame *frame) {
         return;
     }
     program_set_texture(program, "u_texture", 0, GL_TEXTURE_2D, state.color_texture);
-    draw_scene(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
 }
 
 const Lab lab = {

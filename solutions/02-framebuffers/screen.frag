@@ -12,8 +12,7 @@ uniform sampler2D u_texture;
 
 out vec4 o_color;
 
-void main()
-{
+void main() {
     vec3 color = phong_ambient() + phong_diffuse_specular(0, v_position_world, v_normal_world);
     if (u_is_screen) {
 #ifdef SOLUTION // 2.5

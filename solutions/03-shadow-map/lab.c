@@ -25,9 +25,9 @@ static bool create(const Frame *frame) {
     glDrawBuffer(GL_NONE);
     glReadBuffer(GL_NONE);
 #else
-    // TODO(3.1): make a depth texture (GL_DEPTH_COMPONENT24, GL_NEAREST), state.size x state.size, and a
-    // framebuffer that has it as its depth and no colour. Look up: glTexImage2D, glFramebufferTexture,
-    // glDrawBuffer.
+    // TODO(3.1): make a depth texture (GL_DEPTH_COMPONENT24, GL_NEAREST), state.size x
+    // state.size, and a framebuffer that has it as its depth and no colour. Look up:
+    // glTexImage2D, glFramebufferTexture, glDrawBuffer.
 #endif
 #ifdef SOLUTION // 3.6
     glBindTexture(GL_TEXTURE_2D, state.map_texture);
@@ -57,8 +57,8 @@ static mat4s light_clip_from_world(const Light *light) {
         clip_from_light = glms_perspective(light->fov_y, 1, light->near_plane, light->far_plane);
 #else
     // TODO(3.2): light_from_world: the light stands at light->position and looks at light->target. For a
-    // LIGHT_SPOT, clip_from_light is a perspective projection with the light's fov_y and planes. Look up:
-    // glms_lookat, glms_perspective.
+    // LIGHT_SPOT, clip_from_light is a perspective projection with the light's fov_y and planes.
+    // Look up: glms_lookat, glms_perspective.
 #endif
 #ifdef SOLUTION // 3.3
     float r = light->half_size;
@@ -67,7 +67,7 @@ static mat4s light_clip_from_world(const Light *light) {
 #else
     // TODO(3.3): for a LIGHT_DIRECTIONAL, clip_from_light is an orthographic projection of the square from
     // -light->half_size to light->half_size. Look up: glms_ortho.
-    (void)light;
+    UNUSED(light);
 #endif
     return glms_mat4_mul(clip_from_light, light_from_world);
 }
@@ -82,20 +82,20 @@ static void draw_map(const Frame *frame) {
     glClear(GL_DEPTH_BUFFER_BIT);
     draw_scene(frame, &frame->programs[PROGRAM_DEPTH], light_clip_from_world(light), light->position);
 #else
-    // TODO(3.4): bind the map's framebuffer, set the viewport to the size of the map, clear its depth and
-    // draw the scene with PROGRAM_DEPTH and the light's matrix. Look up: glViewport, glClear, draw_scene in
-    // common/draw.h.
-    (void)light;
+    // TODO(3.4): bind the map's framebuffer, set the viewport to the size of the map, clear its depth
+    // and draw the scene with PROGRAM_DEPTH and the light's matrix. Look up: glViewport, glClear,
+    // draw_scene in common/draw.h.
+    UNUSED(light);
 #endif
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 static void draw_picture(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADOW];
-    draw_to_frame(frame);
+    frame_bind(frame);
     program_set_texture(program, "u_shadow_map", 0, GL_TEXTURE_2D, state.map_texture);
     program_set_mat4(program, "u_light_clip_from_world", light_clip_from_world(&frame->scene->lights[0]));
-    draw_scene(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
 }
 
 const Lab lab = {

@@ -13,7 +13,7 @@ enum {
 };
 enum { PROGRAM_DEPTH, PROGRAM_SHADOW };
 
-// Values of KNOB_METHOD; 1, 2 and 5 are the business of shadow.frag.
+// Values of KNOB_METHOD, as in shadow.frag.
 enum {
     METHOD_NONE,
     METHOD_CONSTANT,
@@ -80,7 +80,7 @@ static float texel_size(const Light *light) {
 #else
     // TODO(4.5): the map shows a square of map.size x map.size texels. Its side is 2 tan(light->fov_y / 2) at
     // distance 1 from a LIGHT_SPOT, and 2 light->half_size for a directional light.
-    (void)light;
+    UNUSED(light);
     return 0;
 #endif
 }
@@ -88,7 +88,7 @@ static float texel_size(const Light *light) {
 static void draw_picture(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHADOW];
     const Light *light = &frame->scene->lights[0];
-    draw_to_frame(frame);
+    frame_bind(frame);
     program_set_texture(program, "u_shadow_map", 0, GL_TEXTURE_2D, map.texture);
     program_set_mat4(program, "u_light_clip_from_world", shadow_map_clip_from_world(light));
     program_set_int(program, "u_method", (int)frame->knobs[KNOB_METHOD]);
@@ -96,7 +96,7 @@ static void draw_picture(const Frame *frame) {
     program_set_float(program, "u_slope_bias", frame->knobs[KNOB_SLOPE_BIAS]);
     program_set_float(program, "u_normal_offset", frame->knobs[KNOB_NORMAL_OFFSET]);
     program_set_float(program, "u_texel_size", texel_size(light));
-    draw_scene(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
 }
 
 const Lab lab = {

@@ -14,13 +14,14 @@ uniform float u_slope_bias;    // depth
 uniform float u_normal_offset; // texels
 uniform float u_texel_size;    // of the map, world units where the light's clip w is 1
 
+// The values of u_method, as in lab.c.
 const int CONSTANT = 1, SLOPE = 2, NORMAL_OFFSET = 5;
+const int NONE = 0, POLYGON_OFFSET = 3, FRONT_FACES = 4; // of these the shader has nothing to do
 
 out vec4 o_color;
 
 // How much nearer to the light a point counts than it is. Both vectors are unit vectors.
-float depth_bias(vec3 normal_world, vec3 to_light_world)
-{
+float depth_bias(vec3 normal_world, vec3 to_light_world) {
     if (u_method == CONSTANT) {
 #ifdef SOLUTION // 4.1
         return u_bias;
@@ -33,7 +34,8 @@ float depth_bias(vec3 normal_world, vec3 to_light_world)
 #ifdef SOLUTION // 4.2
         return max(u_slope_bias * (1.0 - dot(normal_world, to_light_world)), u_bias);
 #else
-        // TODO(4.2): u_slope_bias * (1 - N.L), with N and L the two vectors, but at least u_bias. Look up: dot, max.
+        // TODO(4.2): u_slope_bias * (1 - N.L), with N and L the two vectors, but at least
+        // u_bias. Look up: dot, max.
         return 0.0;
 #endif
     }
@@ -41,8 +43,7 @@ float depth_bias(vec3 normal_world, vec3 to_light_world)
 }
 
 // The point that is looked up in the map for a point of a surface. Both directions are unit vectors.
-vec3 lookup_position(vec3 position_world, vec3 normal_world, vec3 to_light_world)
-{
+vec3 lookup_position(vec3 position_world, vec3 normal_world, vec3 to_light_world) {
     if (u_method == NORMAL_OFFSET) {
 #ifdef SOLUTION // 4.5
         float w = (u_light_clip_from_world * vec4(position_world, 1.0)).w;
@@ -50,9 +51,10 @@ vec3 lookup_position(vec3 position_world, vec3 normal_world, vec3 to_light_world
         float sine = sqrt(1.0 - min(cosine * cosine, 1.0));
         return position_world + u_normal_offset * u_texel_size * w * sine * normal_world;
 #else
-        // TODO(4.5), second part: go along the normal by u_normal_offset texels times the sine of the angle between
-        // normal and light. A texel is u_texel_size * w wide, where w is the fourth clip coordinate of the point as the
-        // light sees it: 1 for a directional light, the distance from the lamp for a spot light.
+        // TODO(4.5), second part: go along the normal by u_normal_offset texels times the sine of the
+        // angle between normal and light. A texel is u_texel_size * w wide, where w is the fourth clip
+        // coordinate of the point as the light sees it: 1 for a directional light, the distance from
+        // the lamp for a spot light.
         return position_world;
 #endif
     }
@@ -60,11 +62,11 @@ vec3 lookup_position(vec3 position_world, vec3 normal_world, vec3 to_light_world
 }
 
 // 1 where light 0 reaches the point, 0 in its shadow.
-float visibility(vec3 position_world, vec3 normal_world)
-{
-    vec3 position_map, to_light_world = light_direction(0, position_world);
+float visibility(vec3 position_world, vec3 normal_world) {
+    vec3 position_map, to_light_world = direction_to_light(0, position_world);
     float outside;
-    if (!find_in_shadow_map(lookup_position(position_world, normal_world, to_light_world), position_map, outside))
+    if (!find_in_shadow_map(lookup_position(position_world, normal_world, to_light_world), position_map,
+                            outside))
         return outside;
     float depth = texture(u_shadow_map, position_map.xy).r;
     float bias = depth_bias(normal_world, to_light_world);
@@ -76,8 +78,8 @@ float visibility(vec3 position_world, vec3 normal_world)
 #endif
 }
 
-void main()
-{
+void main() {
     vec3 diffuse_specular = phong_diffuse_specular(0, v_position_world, v_normal_world);
-    o_color = vec4(phong_ambient() + visibility(v_position_world, normalize(v_normal_world)) * diffuse_specular, 1.0);
+    o_color = vec4(
+        phong_ambient() + visibility(v_position_world, normalize(v_normal_world)) * diffuse_specular, 1.0);
 }

@@ -1,5 +1,5 @@
-// Lab 06: random sampling. Many taps at random places of a disc, a few of them first: the others only where
-// these differ.
+// Lab 06: random sampling. Many taps at random places of a disc, a few of them first: the
+// others only where these differ.
 #include "lab.h"
 
 #include "offsets.h"
@@ -32,8 +32,8 @@ static void destroy(void) {
     state.pattern = (Pattern){0};
 }
 
-// The bias is given: only back faces are in the map, so a lit face has no depth there to quarrel with (lab
-// 04).
+// The bias is given: only back faces are in the map, so a lit face has no depth there
+// to quarrel with (lab 04).
 static void draw_map(const Frame *frame) {
     const Light *light = &frame->scene->lights[0];
     shadow_map_begin(&state.map);
@@ -61,17 +61,17 @@ static void draw_picture(const Frame *frame) {
     // TODO(6.5): the knob gives the disc's radius in texels of the map (KNOB_RADIUS); the shader wants it as
     // a part of the map's side, which has state.map.size texels.
 #endif
-    draw_to_frame(frame);
+    frame_bind(frame);
     set_textures(frame, program);
     program_set_float(program, "u_radius", radius);
     program_set_float(program, "u_pattern_size", (float)state.pattern.size);
     program_set_int(program, "u_layers", state.pattern.layers);
     program_set_int(program, "u_early_out", frame->knobs[KNOB_EARLY_OUT] > 0);
-    draw_scene(frame, program, draw_clip_from_world(frame), frame->scene->camera.eye);
+    draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
 }
 
-// Given: a magnifying glass over the map, around the point in the middle of the picture, with the taps of its
-// pixel.
+// Given: a magnifying glass over the map, around the point in the middle of the picture,
+// with the taps of its pixel.
 static void draw_lens(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_TAPS];
     target_bind(&state.lens);

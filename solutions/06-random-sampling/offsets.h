@@ -25,7 +25,7 @@ static vec2s square_from_sample(const Pattern *pattern, int k, vec2s jitter) {
     // TODO(6.3): cut the square into pattern->columns x pattern->rows cells and put sample k into a cell of
     // its own: into column k mod columns, and into the last row (v near 1) first, the row below after it, and
     // so on. It lies in the middle of its cell, moved by `jitter`, whose unit is one cell.
-    (void)pattern, (void)k;
+    UNUSED(pattern, k);
     return (vec2s){{jitter.x + 0.5f, jitter.y + 0.5f}};
 #endif
 }
@@ -36,8 +36,8 @@ static vec2s disc_from_square(vec2s square) {
     float radius = sqrtf(square.y), angle = 2 * (float)GLM_PI * square.x;
     return (vec2s){{radius * cosf(angle), radius * sinf(angle)}};
 #else
-    // TODO(6.2): u goes once around the disc; v becomes the square of the distance to the centre. Look up:
-    // sqrtf, cosf.
+    // TODO(6.2): u goes once around the disc; v becomes the square of the distance to the
+    // centre. Look up: sqrtf, cosf.
     return (vec2s){{2 * square.x - 1, 2 * square.y - 1}};
 #endif
 }
@@ -86,9 +86,9 @@ static bool pattern_create(Pattern *pattern) {
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 #else
-    // TODO(6.1), second part: make the 3D texture pattern->offsets from `texels`, with 32-bit floats (they
-    // are negative, too) and without mipmaps. Look up: glTexImage3D, GL_RGBA32F, glTexParameteri with
-    // GL_TEXTURE_MIN_FILTER.
+    // TODO(6.1), second part: make the 3D texture pattern->offsets from `texels`, with 32-bit floats
+    // (they are negative, too) and without mipmaps. Look up: glTexImage3D, GL_RGBA32F,
+    // glTexParameteri with GL_TEXTURE_MIN_FILTER.
 #endif
     free(texels);
     return true;

@@ -29,19 +29,20 @@ static bool create_target(const Frame *frame) {
     // state.depth_stencil (GL_DEPTH24_STENCIL8), as large as the frame; attach them to a new
     // state.framebuffer as colours 0 and 1 and as depth and stencil; draw into both colours. Look up:
     // glFramebufferTexture, GL_DEPTH_STENCIL_ATTACHMENT, glDrawBuffers.
-    (void)frame;
+    UNUSED(frame);
     return true; // then: return gl_check_framebuffer("two colours");
 #endif
 }
 
 static bool create(const Frame *frame) {
-    return create_target(frame) && frame_view_create(&state.view, frame);
+    return create_target(frame) && frame_view_create(&state.view, frame) && casters_create();
 }
 
 static void destroy(void) {
     glDeleteFramebuffers(1, &state.framebuffer);
     glDeleteTextures(3, (GLuint[]){state.ambient, state.diffuse_specular, state.depth_stencil});
     frame_view_destroy(&state.view);
+    casters_destroy();
     state.framebuffer = state.ambient = state.diffuse_specular = state.depth_stencil = 0;
 }
 
@@ -77,7 +78,7 @@ static void draw_surfaces(const Frame *frame) {
     // TODO(7.1), second part: bind state.framebuffer; clear its colour 0 to sky, its colour 1 to black, and
     // its depth; draw the scene as below; copy colour 0 and the depth, all of them, to frame->framebuffer.
     // Look up: glClearBufferfv, glBlitFramebuffer with GL_READ_FRAMEBUFFER and GL_DRAW_FRAMEBUFFER.
-    (void)sky;
+    UNUSED(sky);
     draw_scene(frame, program, clip_from_world(frame), frame->scene->camera.eye);
 #endif
 }
@@ -87,7 +88,7 @@ static void draw_surfaces(const Frame *frame) {
 static void draw_volumes(const Frame *frame) {
     bool z_fail = frame->knobs[KNOB_METHOD] > 0, on_cpu = frame->knobs[KNOB_SILHOUETTES] > 0;
     const Program *program = &frame->programs[on_cpu ? PROGRAM_CPU_VOLUME : PROGRAM_VOLUME];
-    draw_to_frame(frame);
+    frame_bind(frame);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0, 16);
 #ifdef SOLUTION // 7.6
@@ -100,9 +101,9 @@ static void draw_volumes(const Frame *frame) {
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
 #else
     // TODO(7.6): z-pass. Close the masks of colour and depth; draw back faces too; the stencil test always
-    // passes, and where the depth test does, front faces add one and back faces take one away, with wrapping.
-    // Look up: glColorMask, glDepthMask, glStencilFunc, glStencilOpSeparate. Until then the volumes are seen,
-    // as haze.
+    // passes, and where the depth test does, front faces add one and back faces take one away, with
+    // wrapping. Look up: glColorMask, glDepthMask, glStencilFunc, glStencilOpSeparate. Until then the
+    // volumes are seen, as haze.
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
 #endif
@@ -112,21 +113,22 @@ static void draw_volumes(const Frame *frame) {
         glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
         glDepthFunc(GL_LEQUAL);
 #else
-        // TODO(7.9): z-fail. Count where the depth test fails instead: there back faces add one and front
-        // faces take one away. A cap at infinity (depth 1) must pass before an empty sky (depth 1 too). Look
-        // up: glDepthFunc.
+        // TODO(7.9): z-fail. Count where the depth test fails instead: there back faces add one and
+        // front faces take one away. A cap at infinity (depth 1) must pass before an empty sky (depth 1
+        // too). Look up: glDepthFunc.
 #endif
     }
     program_set_vec3(program, "u_constant", vec3_make(0.1f, 0.1f, 0));
     draw_begin(frame, program, clip_from_world(frame), frame->scene->camera.eye);
-    if (on_cpu)
+    if (on_cpu) {
         casters_draw_volumes(frame);
-    else
+    } else {
         casters_draw(frame, program);
+    }
 #ifdef SOLUTION // 7.6
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 #else
-        // TODO(7.6), second part: open the mask of the colour again, for the next pass.
+    // TODO(7.6), second part: open the mask of the colour again, for the next pass.
 #endif
 }
 
@@ -145,7 +147,7 @@ static void draw_light(const Frame *frame) {
     // TODO(7.3): add state.diffuse_specular to the picture where the stencil is 0, without changing the
     // stencil: draw a full-screen triangle with PROGRAM_TEXTURE. Look up: glBlendFunc, glStencilFunc,
     // glStencilOp, program_set_texture and draw_fullscreen in common/.
-    (void)frame;
+    UNUSED(frame);
 #endif
 }
 
