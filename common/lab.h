@@ -3,12 +3,12 @@
 // else.
 #pragma once
 
-#include "check.h"
+#include "scene/check.h"
 #include "draw.h"
 #include "gl.h"
-#include "mathx.h"
+#include "scene/mathx.h"
 #include "program.h"
-#include "scene.h"
+#include "scene/scene.h"
 #include "shadow_map.h"
 #include "target.h"
 
