@@ -1,7 +1,7 @@
 #include "casters.h"
 
 #include "model.h"
-#include "silhouette.h"
+#include "scene/silhouette.h"
 
 #include <stdbool.h>
 

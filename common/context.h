@@ -2,7 +2,7 @@
 // the other serves.
 #pragma once
 
-#include "context_kind.h"
+#include "scene/context_kind.h"
 
 // Creates the context, makes it current and loads GL. One per process; there is no default framebuffer to
 // draw into.

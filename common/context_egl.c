@@ -1,7 +1,7 @@
 // EGL without a surface (EGL_MESA_platform_surfaceless). glad opens libEGL at run time.
 #include "context_routes.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <glad/egl.h>
 

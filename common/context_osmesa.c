@@ -2,7 +2,7 @@
 // GL/osmesa.h), so that the project also builds where Mesa no longer ships the header.
 #include "context_routes.h"
 
-#include "check.h"
+#include "scene/check.h"
 #include "gl.h"
 
 #include <dlfcn.h>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "gl.h"
-#include "mathx.h"
+#include "scene/mathx.h"
 #include "program.h"
-#include "scene.h"
+#include "scene/scene.h"
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
 #include "gl.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <dlfcn.h>
 #include <execinfo.h>

@@ -3,13 +3,13 @@
 // and shaders/, nothing else.
 #pragma once
 
-#include "check.h"
+#include "scene/check.h"
 #include "draw.h"
 #include "gl.h"
 #include "gl_state.h"
-#include "mathx.h"
+#include "scene/mathx.h"
 #include "program.h"
-#include "scene.h"
+#include "scene/scene.h"
 #include "shadow_map.h"
 #include "target.h"
 

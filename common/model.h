@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl.h"
-#include "mesh.h"
+#include "scene/mesh.h"
 
 typedef struct Model {
     GLuint vertex_array, buffers[2];

@@ -1,7 +1,7 @@
 #include "program.h"
 
-#include "check.h"
-#include "shader_source.h"
+#include "scene/check.h"
+#include "scene/shader_source.h"
 
 #include <ctype.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl.h"
-#include "mathx.h"
+#include "scene/mathx.h"
 
 #include <stdbool.h>
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "gl.h"
-#include "mathx.h"
-#include "scene.h"
+#include "scene/mathx.h"
+#include "scene/scene.h"
 
 #include <stdbool.h>
 

@@ -1,16 +1,17 @@
-#include "class.h"
+#include "class/class.h"
 
-#include "check.h"
-#include "gather.h"
+#include "scene/check.h"
+#include "class/grade_tables.h"
 #include "jail/self_test.h"
-#include "open_jail.h"
-#include "plan.h"
-#include "pool.h"
-#include "ticker.h"
-#include "record.h"
-#include "roll.h"
-#include "unpack.h"
-#include "workplace.h"
+#include "jail/jail.h"
+#include "jail/jail_choose.h"
+#include "class/run_settings.h"
+#include "class/pool.h"
+#include "class/ticker.h"
+#include "class/submission_record.h"
+#include "class/roster.h"
+#include "intake/archive.h"
+#include "class/run_folder.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -162,7 +163,9 @@ static void note_ignored(const Roll *roll) {
 }
 
 static bool grade_in_jail(Class *class) {
-    bool ok = open_jail(class->options, &class->jail) && grade_all(class);
+    bool ok = jail_choose(&class->jail, class->options->route, class->options->trusted, "grade",
+                          &class->options->grade.jail) &&
+              grade_all(class);
     jail_destroy(&class->jail);
     return ok;
 }

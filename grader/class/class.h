@@ -2,7 +2,7 @@
 // any moment and taken up again. See grader/README.md.
 #pragma once
 
-#include "options.h"
+#include "class/grade_options.h"
 
 // Does what the options of --class ask for; returns the exit status of the program.
 int class_run(Options *options);

@@ -1,7 +1,7 @@
-#include "index.h"
+#include "class/index.h"
 
-#include "check.h"
-#include "report/page.h"
+#include "scene/check.h"
+#include "pages/page.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 // The page of a class.
 #pragma once
 
-#include "table.h"
+#include "class/table.h"
 
 // Distribution of the scores, the commonest mistakes, who needs a look, and all submissions with links to
 // their pages. The caller frees the page; NULL with a message.

@@ -1,7 +1,7 @@
-#include "pool.h"
+#include "class/pool.h"
 
-#include "check.h"
-#include "process.h"
+#include "scene/check.h"
+#include "base/process.h"
 
 #include <errno.h>
 #include <poll.h>

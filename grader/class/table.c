@@ -1,7 +1,7 @@
-#include "table.h"
+#include "class/table.h"
 
-#include "check.h"
-#include "record.h"
+#include "scene/check.h"
+#include "class/submission_record.h"
 
 #include <stdlib.h>
 #include <string.h>

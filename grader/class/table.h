@@ -1,8 +1,8 @@
 // The records of a class, read once, and what its reports look up in them.
 #pragma once
 
-#include "plan.h"
-#include "roll.h"
+#include "class/run_settings.h"
+#include "class/roster.h"
 
 #include <jansson.h>
 #include <stdbool.h>

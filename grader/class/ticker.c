@@ -1,6 +1,6 @@
-#include "ticker.h"
+#include "class/ticker.h"
 
-#include "process.h"
+#include "base/process.h"
 
 #include <stdlib.h>
 #include <unistd.h>

@@ -1,6 +1,6 @@
 #include "jail/extract.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,8 +1,7 @@
 #include "jail/jail.h"
 
-#include "check.h"
-#include "jail/command.h"
-#include "jail/self_test.h"
+#include "scene/check.h"
+#include "jail/bwrap_command.h"
 #include "jail/stage.h"
 
 #include <errno.h>
@@ -11,9 +10,6 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-// Of no account: above Debian's system users (adduser: 100 to 999) and ordinary ones (1000 to 59999).
-enum { JAIL_USER = 60611 };
 
 static const char *const route_names[] = {"none", "bwrap", "landlock"};
 
@@ -28,43 +24,9 @@ bool jail_parse_route(JailRoute *route, const char *name) {
     return check_fail("--jail takes bwrap or landlock, not \"%s\"", name);
 }
 
-bool jail_create(Jail *jail, JailRoute only) {
-    char why[900] = "";
-    *jail = (Jail){.user = geteuid() == 0 ? JAIL_USER : 0};
-    if (!stage_create(jail->stage))
-        return false;
-    for (jail->route = JAIL_BWRAP; jail->route <= JAIL_LANDLOCK; jail->route++) {
-        if (only != JAIL_NONE && only != jail->route)
-            continue;
-        check_clear();
-        if (self_test(jail)) {
-            if (jail->route != JAIL_BWRAP)
-                snprintf(jail->notice, sizeof jail->notice, "the fallback jail is in use: %s%s%s",
-                         jail_route_name(jail->route), why[0] ? ", for " : "", why);
-            return true;
-        }
-        check_append(why, sizeof why, "%s%s: %.400s", why[0] ? "; " : "", jail_route_name(jail->route),
-                     check_message());
-    }
-    jail_destroy(jail);
-    check_clear();
-    return check_fail(
-        "no jail holds on this machine (%s). Strangers' code could read the solutions or harm it: "
-        "install bubblewrap, or grade in a virtual machine. If the submission is your own work, add "
-        "--trusted (make grade ARGS=--trusted)",
-        why);
-}
-
 void jail_destroy(Jail *jail) {
     stage_destroy(jail->stage);
     memset(jail, 0, sizeof *jail);
-}
-
-void jail_part(const Jail *jail, const char *part, char path[FILES_PATH]) {
-    if (jail)
-        files_join(path, jail->stage, part);
-    else
-        stage_source(part, path);
 }
 
 static unsigned lent_to;

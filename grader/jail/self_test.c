@@ -1,7 +1,8 @@
 #include "jail/self_test.h"
 
-#include "check.h"
-#include "home.h"
+#include "scene/check.h"
+#include "base/places.h"
+#include "jail/jail.h"
 
 #include <errno.h>
 #include <stdio.h>

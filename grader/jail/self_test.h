@@ -1,7 +1,7 @@
 // Before anything of a stranger's runs, our own attacks do (inside/probe.c).
 #pragma once
 
-#include "jail/jail.h"
+#include "jail/plan.h"
 
 #include <stdbool.h>
 

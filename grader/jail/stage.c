@@ -1,7 +1,7 @@
 #include "jail/stage.h"
 
-#include "check.h"
-#include "home.h"
+#include "scene/check.h"
+#include "base/places.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -2,7 +2,7 @@
 // is never shown, and the user inside need not be able to reach it.
 #pragma once
 
-#include "files.h"
+#include "base/files.h"
 
 #include <stdbool.h>
 

@@ -1,4 +1,4 @@
-#include "report.h"
+#include "report/report.h"
 
 static json_t *plain_cause(const char *rationale) {
     return json_pack("{s:s, s:n, s:n, s:n}", "rationale", rationale, "help", "expected", "actual");

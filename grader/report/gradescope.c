@@ -1,6 +1,6 @@
-#include "report.h"
+#include "report/report.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <math.h>
 

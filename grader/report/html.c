@@ -1,7 +1,7 @@
-#include "report.h"
+#include "report/report.h"
 
-#include "page.h"
-#include "score.h"
+#include "pages/page.h"
+#include "score/score.h"
 
 #include <string.h>
 

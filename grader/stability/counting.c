@@ -1,4 +1,4 @@
-#include "counting.h"
+#include "stability/counting.h"
 
 #include <math.h>
 

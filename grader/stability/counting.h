@@ -1,8 +1,8 @@
 // A curve of lab 07: which pixels does a way of counting volumes get wrong?
 #pragma once
 
-#include "row.h"
-#include "sight.h"
+#include "stability/row.h"
+#include "stability/sight.h"
 
 enum { COUNTING_SIZE = 160 };        // pixels each way
 enum { Z_PASS, Z_FAIL, Z_FAIL_CPU }; // the last: with the volumes' sides found on the CPU

@@ -1,6 +1,6 @@
-#include "curve.h"
+#include "stability/curve.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <math.h>
 

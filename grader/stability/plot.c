@@ -1,8 +1,8 @@
-#include "plot.h"
+#include "stability/plot.h"
 
-#include "check.h"
-#include "files.h"
-#include "process.h"
+#include "scene/check.h"
+#include "base/files.h"
+#include "base/process.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 // The curves as SVG, by gnuplot.
 #pragma once
 
-#include "row.h"
+#include "stability/row.h"
 
 #include <stdbool.h>
 

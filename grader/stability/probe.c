@@ -1,6 +1,6 @@
-#include "probe.h"
+#include "stability/probe.h"
 
-#include "hand.h"
+#include "truth/closed_scenes.h"
 
 #include <math.h>
 #include <string.h>

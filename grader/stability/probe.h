@@ -1,8 +1,8 @@
 // One scene that a lab draws again and again, each time held against the scene's truth under its light 0.
 #pragma once
 
-#include "bench.h"
-#include "study/ground.h"
+#include "stability/lab_set.h"
+#include "study/truth_view.h"
 
 #include <stdbool.h>
 

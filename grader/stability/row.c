@@ -1,7 +1,7 @@
-#include "row.h"
+#include "stability/row.h"
 
-#include "check.h"
-#include "strip.h"
+#include "scene/check.h"
+#include "stability/strip.h"
 
 #include <stdarg.h>
 #include <stdio.h>

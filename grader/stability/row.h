@@ -1,9 +1,9 @@
 // A row of the stability suite: one method swept to where it breaks, and what must come out.
 #pragma once
 
-#include "bench.h"
-#include "curve.h"
-#include "study/ground.h"
+#include "stability/lab_set.h"
+#include "stability/curve.h"
+#include "study/truth_view.h"
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
-#include "row_json.h"
+#include "stability/row_json.h"
 
-#include "plot.h"
+#include "stability/plot.h"
 
 #include <math.h>
 #include <stdio.h>

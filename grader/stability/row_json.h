@@ -1,7 +1,7 @@
 // What the suite found, for the page and for other programs.
 #pragma once
 
-#include "row.h"
+#include "stability/row.h"
 
 #include <jansson.h>
 

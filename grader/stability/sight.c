@@ -1,7 +1,7 @@
-#include "sight.h"
+#include "stability/sight.h"
 
-#include "check.h"
-#include "ray.h"
+#include "scene/check.h"
+#include "scene/ray.h"
 
 #include <math.h>
 #include <stdlib.h>

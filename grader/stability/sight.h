@@ -4,7 +4,7 @@
 // far plane: the methods fail where that point is in a set.
 #pragma once
 
-#include "probe.h"
+#include "stability/probe.h"
 
 // The scene without its planes, which are open and cast no volumes.
 Scene sight_casters(const Scene *scene);

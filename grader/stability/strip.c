@@ -1,6 +1,6 @@
-#include "strip.h"
+#include "stability/strip.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
-#include "suite_html.h"
+#include "stability/suite_html.h"
 
-#include "files.h"
-#include "plot.h"
-#include "report/page.h"
+#include "base/files.h"
+#include "stability/plot.h"
+#include "pages/page.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 // The suite's page.
 #pragma once
 
-#include "row.h"
+#include "stability/row.h"
 
 // One self-contained page with each row's words, curves, numbers and worst frames. The figures were drawn
 // into `folder` by plot_all. The caller frees the text; NULL with a message.

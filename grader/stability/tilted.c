@@ -1,4 +1,4 @@
-#include "tilted.h"
+#include "stability/tilted.h"
 
 static const double distance = 10, fov_x = 40;
 

@@ -2,7 +2,7 @@
 // there.
 #pragma once
 
-#include "hand.h"
+#include "truth/closed_scenes.h"
 
 // Depth range of the light, world units.
 #define TILTED_NEAR 4.0F

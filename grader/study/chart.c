@@ -1,8 +1,8 @@
-#include "chart.h"
+#include "study/chart.h"
 
-#include "check.h"
-#include "files.h"
-#include "process.h"
+#include "scene/check.h"
+#include "base/files.h"
+#include "base/process.h"
 
 #include <errno.h>
 #include <math.h>

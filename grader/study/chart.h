@@ -1,7 +1,7 @@
 // A scene's findings as a picture for documents: log time against log error, drawn by gnuplot.
 #pragma once
 
-#include "finding.h"
+#include "study/finding.h"
 
 // Errors below this are drawn at it: one wrong pixel of 640 x 480 is more.
 #define CHART_LEAST_ERROR 1e-6

@@ -1,6 +1,6 @@
-#include "chart_options.h"
+#include "study/chart_options.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <getopt.h>
 #include <stdio.h>

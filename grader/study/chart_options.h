@@ -1,7 +1,7 @@
 // The command line of build/chart.
 #pragma once
 
-#include "measure.h"
+#include "study/measure.h"
 
 #include <stdbool.h>
 

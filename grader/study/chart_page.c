@@ -1,10 +1,10 @@
-#include "chart_page.h"
+#include "study/chart_page.h"
 
-#include "chart.h"
-#include "check.h"
-#include "home.h"
-#include "pictures.h"
-#include "report/page.h"
+#include "study/chart.h"
+#include "scene/check.h"
+#include "base/places.h"
+#include "study/pictures.h"
+#include "pages/page.h"
 
 #include <errno.h>
 #include <jansson.h>

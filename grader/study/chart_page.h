@@ -1,7 +1,7 @@
 // The whole study as one HTML page, without network: points that show their frame, its error and its setting.
 #pragma once
 
-#include "measure.h"
+#include "study/measure.h"
 
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
-#include "cost.h"
+#include "study/cost.h"
 
-#include "atlas.h"
-#include "fragments.h"
+#include "scene/atlas.h"
+#include "study/fragments.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 // What a setting costs on any machine.
 #pragma once
 
-#include "finding.h"
+#include "study/finding.h"
 
 // From the setting and the scene. `partial` is the share of the picture's pixels that are neither wholly lit
 // nor wholly dark: with early-out exactly these take all taps.

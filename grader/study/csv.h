@@ -1,7 +1,7 @@
 // The findings as a table, one line a setting, and two such tables compared.
 #pragma once
 
-#include "finding.h"
+#include "study/finding.h"
 
 #include <stdio.h>
 

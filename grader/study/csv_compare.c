@@ -1,6 +1,6 @@
-#include "csv.h"
+#include "study/csv.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <errno.h>
 #include <stdlib.h>

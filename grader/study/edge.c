@@ -1,6 +1,6 @@
-#include "edge.h"
+#include "study/edge.h"
 
-#include "pareto.h"
+#include "study/pareto.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 // the map is there.
 #pragma once
 
-#include "ground.h"
+#include "study/truth_view.h"
 
 // Length in pixels of the line at which the true visibility crosses 1/2, inside one object and where the mask
 // is 1 on all sides: marching squares through the midpoints between pixels (Lorensen, Cline: Marching Cubes,

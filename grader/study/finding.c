@@ -1,6 +1,6 @@
-#include "finding.h"
+#include "study/finding.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 // What the study found out about one setting, and about all settings of a scene.
 #pragma once
 
-#include "pareto.h"
-#include "scenes.h"
-#include "state.h"
+#include "study/pareto.h"
+#include "study/study_scenes.h"
+#include "study/measurements.h"
 
 // What a frame costs on any machine, as the setting has it.
 typedef struct Cost {

@@ -1,6 +1,6 @@
-#include "fragments.h"
+#include "study/fragments.h"
 
-#include "silhouette.h"
+#include "scene/silhouette.h"
 
 #include <math.h>
 

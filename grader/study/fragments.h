@@ -1,7 +1,7 @@
 // What shadow volumes cost whoever draws them and whatever hides them: the fragments that their faces cover.
 #pragma once
 
-#include "scene.h"
+#include "scene/scene.h"
 
 // Area in pixels, in a picture of this size, of all faces of the volumes of light 0 that the scene's closed
 // objects cast, each counted whether or not something hides it: exactly, by clipping (Sutherland, Hodgman:

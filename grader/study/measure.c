@@ -1,10 +1,10 @@
-#include "measure.h"
+#include "study/measure.h"
 
-#include "check.h"
-#include "cost.h"
-#include "edge.h"
-#include "hash.h"
-#include "pictures.h"
+#include "scene/check.h"
+#include "study/cost.h"
+#include "study/edge.h"
+#include "base/hash.h"
+#include "study/pictures.h"
 
 #include <stdio.h>
 #include <stdlib.h>

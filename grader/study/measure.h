@@ -1,9 +1,9 @@
 // Measures all settings of a scene: each one's error once, its times frame by frame in turn with the others.
 #pragma once
 
-#include "crew.h"
-#include "finding.h"
-#include "bar.h"
+#include "study/lab_artists.h"
+#include "study/finding.h"
+#include "base/progress_bar.h"
 
 typedef struct StudyPlan {
     MetricsSize size;

@@ -1,6 +1,6 @@
-#include "method.h"
+#include "study/method.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <stdarg.h>
 #include <stdio.h>

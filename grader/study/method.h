@@ -1,7 +1,7 @@
 // One method in one setting, as the study draws it: a point of the chart.
 #pragma once
 
-#include "ground.h"
+#include "study/truth_view.h"
 
 #include <stdbool.h>
 

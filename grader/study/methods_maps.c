@@ -1,6 +1,6 @@
 // The settings of the labs with shadow maps, 03 to 06.
-#include "method.h"
-#include "scenes.h"
+#include "study/method.h"
+#include "study/study_scenes.h"
 
 #include <stdio.h>
 

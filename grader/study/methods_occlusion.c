@@ -1,5 +1,5 @@
 // The settings of lab 08.
-#include "method.h"
+#include "study/method.h"
 
 static void add_baked(MethodList *list, int density, int rays) {
     Method *method = method_add(list, "08", "baked", "%d texels a unit, %d rays", density, rays);

@@ -1,6 +1,6 @@
-#include "pareto.h"
+#include "study/pareto.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <math.h>
 #include <stdlib.h>

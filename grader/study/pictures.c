@@ -1,7 +1,7 @@
-#include "pictures.h"
+#include "study/pictures.h"
 
-#include "check.h"
-#include "image.h"
+#include "scene/check.h"
+#include "scene/image.h"
 
 #include <inttypes.h>
 #include <math.h>

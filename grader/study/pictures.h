@@ -1,7 +1,7 @@
 // The pictures that a study keeps in OUTPUT/frames: each setting's frame, and each scene's truth.
 #pragma once
 
-#include "files.h"
+#include "base/files.h"
 #include "truth/metrics.h"
 
 #include <stdbool.h>

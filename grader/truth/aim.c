@@ -1,4 +1,4 @@
-#include "aim.h"
+#include "truth/aim.h"
 
 void aim_frame(vec3s n, vec3s *tangent, vec3s *bitangent) {
     float sign = copysignf(1, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;

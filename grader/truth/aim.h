@@ -1,7 +1,7 @@
 // Where the rays of a query go: one Aim a ray, shared by the pixels of a tile.
 #pragma once
 
-#include "truth.h"
+#include "truth/truth.h"
 
 typedef enum AimKind {
     AIM_POINT,     // at the point `value`, as far as it

@@ -1,6 +1,6 @@
-#include "metrics.h"
+#include "truth/metrics.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <math.h>
 #include <stdlib.h>

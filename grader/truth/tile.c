@@ -1,4 +1,4 @@
-#include "tile.h"
+#include "truth/tile.h"
 
 #include <pthread.h>
 #include <stdatomic.h>

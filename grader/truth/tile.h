@@ -1,7 +1,7 @@
 // The pixels of a picture in tiles of 4 x 4, and threads that share them.
 #pragma once
 
-#include "truth.h"
+#include "truth/truth.h"
 
 enum { TILE_SIDE = 4, TILE_LANES = TILE_SIDE * TILE_SIDE };
 

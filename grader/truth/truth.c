@@ -1,6 +1,6 @@
-#include "truth.h"
+#include "truth/truth.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <embree3/rtcore.h>
 #include <stdlib.h>

@@ -10,8 +10,8 @@
 // the hemisphere behind a spot light is dark, as in shaders/shadow_map.glsl.
 #pragma once
 
-#include "mesh.h"
-#include "scene.h"
+#include "scene/mesh.h"
+#include "scene/scene.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -71,7 +71,7 @@ typedef struct TruthQuery {
     bool one_by_one; // the same rays one at a time, for comparison
 } TruthQuery;
 
-// Takes the meshes of common/mesh.h, placed in the world. False with a message.
+// Takes the meshes of common/scene/mesh.h, placed in the world. False with a message.
 bool truth_create(Truth *truth, const Scene *scene);
 void truth_destroy(Truth *truth); // accepts a zeroed truth
 

@@ -1,6 +1,6 @@
 // Primary rays.
-#include "tile.h"
-#include "truth.h"
+#include "truth/tile.h"
+#include "truth/truth.h"
 
 #include <embree3/rtcore.h>
 

@@ -1,7 +1,7 @@
-#include "truth_plain.h"
+#include "truth/truth_plain.h"
 
-#include "aim.h"
-#include "tile.h"
+#include "truth/aim.h"
+#include "truth/tile.h"
 
 #include <embree3/rtcore.h>
 

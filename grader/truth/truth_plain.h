@@ -1,7 +1,7 @@
 // The plain way to trace, that the packets of truth_trace are measured against.
 #pragma once
 
-#include "truth.h"
+#include "truth/truth.h"
 
 // As truth_trace, but each pixel for itself: row by row, with samples of its own, and every ray given to
 // Embree alone, without a word about its neighbours. Single queries of lights give the same visibility; for

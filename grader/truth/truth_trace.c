@@ -1,8 +1,8 @@
 // Rays from the pixels to the lights, in packets of a tile.
-#include "aim.h"
-#include "check.h"
-#include "tile.h"
-#include "truth.h"
+#include "truth/aim.h"
+#include "scene/check.h"
+#include "truth/tile.h"
+#include "truth/truth.h"
 
 #include <embree3/rtcore.h>
 

@@ -1,6 +1,6 @@
-#include "screens.h"
+#include "watch/screens.h"
 
-#include "recorded.h"
+#include "exam/exam_file.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 // What the watch shows.
 #pragma once
 
-#include "desk.h"
-#include "sheet.h"
+#include "watch/lab_board.h"
+#include "watch/text_sheet.h"
 
 #include <stdbool.h>
 

@@ -1,6 +1,6 @@
-#include "terminal.h"
+#include "watch/terminal.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <errno.h>
 #include <poll.h>

@@ -1,7 +1,7 @@
-#include "todo.h"
+#include "watch/todo.h"
 
-#include "check.h"
-#include "derive.h"
+#include "scene/check.h"
+#include "compile/lab_folder.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 // Where a task of a lab is still to be done.
 #pragma once
 
-#include "rubric.h"
+#include "compile/rubric.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
-#include "viewer.h"
+#include "watch/viewer.h"
 
-#include "home.h"
-#include "terminal.h"
+#include "base/places.h"
+#include "watch/terminal.h"
 
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,8 +1,8 @@
-#include "app.h"
+#include "window/app.h"
 
-#include "check.h"
-#include "home.h"
-#include "submission.h"
+#include "scene/check.h"
+#include "base/places.h"
+#include "intake/submission.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,9 +1,9 @@
 // The window's inside: three feeds, and the picture that they make together. Nothing here waits for a feed.
 #pragma once
 
-#include "feed.h"
-#include "state.h"
-#include "changes.h"
+#include "window/feed.h"
+#include "window/view_state.h"
+#include "base/file_watch.h"
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
-#include "compose.h"
+#include "window/compose.h"
 
-#include "check.h"
-#include "score.h"
+#include "scene/check.h"
+#include "score/score.h"
 
 #include <math.h>
 #include <string.h>

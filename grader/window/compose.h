@@ -1,8 +1,8 @@
 // What stands in the window's picture, from mine and the other one. Pure.
 #pragma once
 
-#include "difference.h"
-#include "image.h"
+#include "score/difference.h"
+#include "scene/image.h"
 
 typedef enum Show { SHOW_MINE, SHOW_REFERENCE, SHOW_SPLIT, SHOW_DIFFERENCE, SHOW_TRUTH, SHOW_COUNT } Show;
 

@@ -1,9 +1,9 @@
-#include "drawer.h"
+#include "window/drawer.h"
 
-#include "check.h"
-#include "derive.h"
-#include "home.h"
-#include "result.h"
+#include "scene/check.h"
+#include "compile/lab_folder.h"
+#include "base/places.h"
+#include "diagnose/result.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 // What draws for a feed: a worker process with its folder, of mine, of the reference or of the truth.
 #pragma once
 
-#include "client.h"
-#include "compile.h"
-#include "rubric.h"
+#include "exam/worker_client.h"
+#include "compile/compiler.h"
+#include "compile/rubric.h"
 
 #include <stdbool.h>
 

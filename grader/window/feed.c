@@ -1,7 +1,7 @@
-#include "feed.h"
+#include "window/feed.h"
 
-#include "check.h"
-#include "score.h"
+#include "scene/check.h"
+#include "score/score.h"
 
 #include <signal.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 // goes on.
 #pragma once
 
-#include "drawer.h"
+#include "window/drawer.h"
 
 #include <pthread.h>
 #include <stdbool.h>

@@ -1,9 +1,9 @@
-#include "hud.h"
+#include "window/hud.h"
 
-#include "check.h"
-#include "keys.h"
-#include "knob_step.h"
-#include "lines.h"
+#include "scene/check.h"
+#include "window/keys.h"
+#include "window/knob_step.h"
+#include "window/lines.h"
 
 #include <math.h>
 #include <stdio.h>

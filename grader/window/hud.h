@@ -1,8 +1,8 @@
 // What is written over the picture: what is shown, the knobs, times, problems, keys.
 #pragma once
 
-#include "app.h"
-#include "text.h"
+#include "window/app.h"
+#include "window/text.h"
 
 // Puts everything into `text`, for a window of this size in pixels. `cursor` is the mouse in pixels of the
 // picture, negative outside.

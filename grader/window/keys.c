@@ -1,4 +1,4 @@
-#include "keys.h"
+#include "window/keys.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

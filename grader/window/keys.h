@@ -1,7 +1,7 @@
 // The window's keys and its mouse: what each does, in one table that F1 shows.
 #pragma once
 
-#include "app.h"
+#include "window/app.h"
 
 // What a key can ask of the window itself.
 typedef enum Wish { WISH_NOTHING, WISH_QUIT, WISH_SAVE, WISH_FULL_SCREEN } Wish;

@@ -1,6 +1,6 @@
-#include "knob_step.h"
+#include "window/knob_step.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 // What a key does to a knob. Pure; the knob's description is clean (see description.h).
 #pragma once
 
-#include "protocol.h"
+#include "protocol/protocol.h"
 
 #include <stdbool.h>
 

@@ -1,4 +1,4 @@
-#include "lines.h"
+#include "window/lines.h"
 
 #include <stdio.h>
 #include <string.h>

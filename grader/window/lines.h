@@ -1,7 +1,7 @@
 // Lines of coloured text that are put together on one dark ground.
 #pragma once
 
-#include "text.h"
+#include "window/text.h"
 
 #include <stddef.h>
 

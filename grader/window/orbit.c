@@ -1,4 +1,4 @@
-#include "orbit.h"
+#include "window/orbit.h"
 
 #include <math.h>
 

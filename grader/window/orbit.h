@@ -2,7 +2,7 @@
 // untouched view is the graded picture.
 #pragma once
 
-#include "scene.h"
+#include "scene/scene.h"
 
 // Relative to where the scene has put it.
 typedef struct Orbit {

@@ -1,4 +1,4 @@
-#include "place.h"
+#include "window/place.h"
 
 #include <stdbool.h>
 

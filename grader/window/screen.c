@@ -1,6 +1,6 @@
-#include "screen.h"
+#include "window/screen.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 // The window's picture on the screen. Needs a context.
 #pragma once
 
-#include "image.h"
-#include "place.h"
+#include "scene/image.h"
+#include "window/place.h"
 #include "program.h"
 
 #include <stdbool.h>

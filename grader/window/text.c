@@ -1,6 +1,6 @@
-#include "text.h"
+#include "window/text.h"
 
-#include "check.h"
+#include "scene/check.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,9 @@
-#include "window.h"
+#include "window/window.h"
 
-#include "check.h"
-#include "home.h"
-#include "hud.h"
-#include "shader_source.h"
+#include "scene/check.h"
+#include "base/places.h"
+#include "window/hud.h"
+#include "scene/shader_source.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

@@ -1,9 +1,9 @@
 // The window itself: opened with OpenGL 4.1, its sizes, and what is drawn into it.
 #pragma once
 
-#include "app.h"
-#include "screen.h"
-#include "text.h"
+#include "window/app.h"
+#include "window/screen.h"
+#include "window/text.h"
 
 typedef struct GLFWwindow GLFWwindow;
 

@@ -1,0 +1,66 @@
+// What a frame shows: a few objects, a light, a camera. Plain data without pointers, so that it crosses a
+// pipe. No GL.
+#pragma once
+
+#include "scene/mathx.h"
+#include "scene/mesh.h"
+#include "scene/random.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { SCENE_MAX_OBJECTS = 16, SCENE_MAX_LIGHTS = 4 };
+
+typedef struct Object {
+    int32_t shape;           // a Shape
+    int32_t is_screen;       // 1: shows a texture instead of its colour (lab 02)
+    mat4s world_from_object; // rotation, translation and scale; no shear
+    vec3s color;             // linear, 0..1
+    float specular, shininess;
+} Object;
+
+typedef enum LightKind { LIGHT_SPOT, LIGHT_DIRECTIONAL } LightKind;
+
+// Both kinds have a position, where their shadow map is taken, and look at `target`. A spot light sends rays
+// from its position in all directions, a directional one parallel rays from position to target.
+typedef struct Light {
+    int32_t kind;
+    vec3s position, target; // world
+    vec3s color;
+    float fov_y;     // spot: full angle of the square map, radians
+    float half_size; // directional: half the side of the square map, world units
+    float near_plane, far_plane;
+} Light;
+
+typedef struct Camera {
+    vec3s eye, target; // world; up is +y
+    float fov_y;       // radians
+    float near_plane, far_plane;
+} Camera;
+
+typedef struct Scene {
+    Object objects[SCENE_MAX_OBJECTS];
+    Light lights[SCENE_MAX_LIGHTS];
+    Camera camera;
+    Camera second_camera; // what the screen shows (lab 02)
+    vec3s ambient;        // colour of the ambient light
+    vec3s background;
+    int32_t object_count, light_count;
+} Scene;
+
+// A scene by its name with everything that may vary drawn from `random`. False for an unknown name (the
+// message lists the names).
+bool scene_make(Scene *scene, const char *name, Random *random);
+
+// Name of the i-th scene, NULL past the last.
+const char *scene_name(int i);
+
+// From the world to the camera, which looks along -z there.
+mat4s camera_view_from_world(const Camera *camera);
+
+// aspect = width / height of the picture.
+mat4s camera_clip_from_view(const Camera *camera, float aspect);
+
+// From the world to the clip space of the light's map: perspective for a spot light, orthographic for a
+// directional one.
+mat4s scene_light_clip_from_world(const Light *light);

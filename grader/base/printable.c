@@ -1,0 +1,103 @@
+#include "base/printable.h"
+
+#include "scene/check.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { READABLE = 24 };
+
+// Length of the UTF-8 sequence at `bytes` (RFC 3629: no overlong forms, no surrogates), 0 when there is none.
+static int sequence(const unsigned char *bytes, uint32_t *code) {
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    int length = bytes[0] < 0x80       ? 1
+                 : bytes[0] >> 5 == 6  ? 2
+                 : bytes[0] >> 4 == 14 ? 3
+                 : bytes[0] >> 3 == 30 ? 4
+                                       : 0;
+    if (length < 2) {
+        *code = bytes[0];
+        return length;
+    }
+    *code = bytes[0] & (0x7fu >> length);
+    for (int i = 1; i < length; i++) {
+        if (bytes[i] >> 6 != 2)
+            return 0;
+        *code = *code << 6 | (bytes[i] & 0x3f);
+    }
+    bool valid = *code >= least[length] && *code <= 0x10ffff && (*code < 0xd800 || *code > 0xdfff);
+    return valid ? length : 0;
+}
+
+// Can a person see the character, where it stands?
+static bool is_printable(uint32_t code) {
+    static const uint32_t hidden[][2] = {{0, 0x1f},        {0x7f, 0x9f},     {0xad, 0xad},
+                                         {0x61c, 0x61c},   {0x180e, 0x180e}, {0x200b, 0x200f},
+                                         {0x2028, 0x202e}, {0x2060, 0x206f}, {0xfeff, 0xfeff},
+                                         {0xfff9, 0xfffb}, {0xfffe, 0xffff}, {0xe0000, 0x10ffff}};
+    for (size_t i = 0; i < sizeof hidden / sizeof hidden[0]; i++)
+        if (code >= hidden[i][0] && code <= hidden[i][1])
+            return false;
+    return true;
+}
+
+char *escape_name(const char *bytes) {
+    char *text = malloc(4 * strlen(bytes) + 1), *to = text;
+    INVARIANT(text);
+    while (*bytes) {
+        uint32_t code;
+        int length = sequence((const unsigned char *)bytes, &code);
+        if (length > 0 && is_printable(code)) {
+            if (code == '\\')
+                *to++ = '\\';
+            memcpy(to, bytes, (size_t)length);
+            to += length;
+        } else {
+            length = length > 0 ? length : 1;
+            for (int i = 0; i < length; i++)
+                to += sprintf(to, "\\x%02x", (unsigned char)bytes[i]);
+        }
+        bytes += length;
+    }
+    *to = '\0';
+    return text;
+}
+
+char *escape_undo(const char *text) {
+    char *bytes = malloc(strlen(text) + 1), *to = bytes;
+    INVARIANT(bytes);
+    for (unsigned value; *text; to++) {
+        if (text[0] != '\\') {
+            *to = *text++;
+        } else if (text[1] == '\\') {
+            *to = '\\';
+            text += 2;
+        } else if (text[1] == 'x' && isxdigit((unsigned char)text[2]) && isxdigit((unsigned char)text[3]) &&
+                   sscanf(text + 2, "%2x", &value) == 1 && value > 0) {
+            *to = (char)value;
+            text += 4;
+        } else {
+            free(bytes);
+            return NULL;
+        }
+    }
+    *to = '\0';
+    return bytes;
+}
+
+void escape_file_name(char file[ESCAPE_FILE_NAME], const char *bytes) {
+    uint64_t hash = 0xcbf29ce484222325u;
+    int length = 0;
+    for (const char *at = bytes; *at; at++) {
+        hash = (hash ^ (unsigned char)*at) * 0x100000001b3u;
+        if (isalnum((unsigned char)*at) && (unsigned char)*at < 0x80 && length < READABLE)
+            file[length++] = *at;
+    }
+    snprintf(file + length, ESCAPE_FILE_NAME - (size_t)length, "-%016llx", (unsigned long long)hash);
+    if (length == 0)
+        file[0] = '_';
+}

@@ -1,0 +1,263 @@
+#include "base/process.h"
+
+#include "scene/check.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <grp.h>
+#include <math.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+enum { REPLY_DESCRIPTOR = 3 };
+
+double process_now(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static void set_limit(int resource, rlim_t value) {
+    if (value)
+        setrlimit((__rlimit_resource_t)resource, &(struct rlimit){value, value});
+}
+
+static void set_limits(const ProcessLimits *limits) {
+    const rlim_t mib = 1024 * 1024;
+    if (limits->cpu_seconds) // the soft limit says SIGXCPU, the hard one SIGKILL
+        setrlimit(RLIMIT_CPU, &(struct rlimit){limits->cpu_seconds, limits->cpu_seconds + 1});
+    set_limit(RLIMIT_AS, limits->memory_mib * mib);
+    set_limit(RLIMIT_FSIZE, limits->file_mib * mib);
+    setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
+}
+
+// A session of its own, so that nobody in it leads a group that we do not know; death with us; another user.
+static void leave_us(const ProcessLimits *limits, pid_t parent) {
+    bool ok = setsid() > 0;
+    if (limits->user)
+        ok = ok && setgroups(0, NULL) == 0 && setgid(limits->user) == 0 && setuid(limits->user) == 0;
+    if (ok && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == parent)
+        return;
+    dprintf(STDERR_FILENO, "a process cannot leave the grader's session or user: %s\n", strerror(errno));
+    _exit(127);
+}
+
+static _Noreturn void run_child(const int *ends, char *const *arguments, char *const *environment,
+                                const char *folder, const ProcessLimits *limits, pid_t parent) {
+    // Above the descriptors that we are about to lay, so that none is overwritten before its turn.
+    int input = fcntl(ends[0], F_DUPFD, 10), output = fcntl(ends[1], F_DUPFD, 10);
+    int replies = fcntl(ends[2], F_DUPFD, 10);
+    dup2(input, STDIN_FILENO);
+    dup2(output, STDOUT_FILENO);
+    dup2(output, STDERR_FILENO);
+    dup2(replies, REPLY_DESCRIPTOR);
+    close_range(REPLY_DESCRIPTOR + 1, ~0u, 0);
+    if (limits->stranger)
+        leave_us(limits, parent);
+    else if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0)
+        _exit(127);
+    if (chdir(folder) != 0) {
+        dprintf(STDERR_FILENO, "%s cannot be entered: %s\n", folder, strerror(errno));
+        _exit(127);
+    }
+    set_limits(limits);
+    execvpe(arguments[0], arguments, environment);
+    dprintf(STDERR_FILENO, "%s cannot be started: %s\n", arguments[0], strerror(errno));
+    _exit(127);
+}
+
+static bool make_pipes(int pipes[3][2]) {
+    for (int i = 0; i < 3; i++)
+        if (pipe2(pipes[i], O_CLOEXEC) != 0) {
+            check_fail("no pipe to a child process: %s", strerror(errno));
+            while (i-- > 0)
+                close(pipes[i][0]), close(pipes[i][1]);
+            return false;
+        }
+    return true;
+}
+
+bool process_start(Process *process, char *const *arguments, char *const *environment, const char *folder,
+                   const ProcessLimits *limits) {
+    enum { INPUT, OUTPUT, REPLIES };
+    int pipes[3][2];
+    memset(process, 0, sizeof *process);
+    if (!make_pipes(pipes))
+        return false;
+    const int theirs[3] = {pipes[INPUT][0], pipes[OUTPUT][1], pipes[REPLIES][1]};
+    prctl(PR_SET_CHILD_SUBREAPER, 1); // what its death leaves behind becomes our child: see collect
+    pid_t parent = getpid();
+    process->pid = fork();
+    if (process->pid == 0)
+        run_child(theirs, arguments, environment, folder, limits, parent);
+    for (int i = 0; i < 3; i++)
+        close(theirs[i]);
+    process->input = pipes[INPUT][1];
+    process->output = pipes[OUTPUT][0];
+    process->replies = pipes[REPLIES][0];
+    process->deadline = process_now() + limits->wall_seconds;
+    fcntl(process->input, F_SETFL, O_NONBLOCK);
+    if (process->pid > 0) {
+        if (!limits->stranger)
+            setpgid(process->pid, process->pid);
+        return true;
+    }
+    process->pid = 0;
+    process_stop(process);
+    return check_fail("no child process: %s", strerror(errno));
+}
+
+// Takes what the process prints: the first PROCESS_OUTPUT bytes are kept, the rest only counted.
+static bool take_output(Process *process) {
+    char block[16 * 1024];
+    ssize_t n = read(process->output, block, sizeof block);
+    if (n <= 0)
+        return false;
+    size_t kept = process->printed < PROCESS_OUTPUT - 1 ? process->printed : PROCESS_OUTPUT - 1;
+    size_t room = PROCESS_OUTPUT - 1 - kept, take = (size_t)n < room ? (size_t)n : room;
+    memcpy(process->text + kept, block, take);
+    process->printed += (size_t)n;
+    if (process->printed > PROCESS_FLOOD)
+        process->state = PROCESS_FLOODED;
+    return true;
+}
+
+static void close_end(int *descriptor) {
+    if (*descriptor >= 0)
+        close(*descriptor);
+    *descriptor = -1;
+}
+
+// Waits until something can be done. False when the time is over.
+static bool wait_for_event(Process *process, struct pollfd *events) {
+    int ready = 0;
+    while (ready == 0 && process->state == PROCESS_RUNNING) {
+        double left = process->deadline - process_now();
+        if (left <= 0 || process->cancelled)
+            process->state = PROCESS_TIMED_OUT;
+        else
+            ready = poll(events, 3, (int)(fmin(left, PROCESS_SLICE) * 1000) + 1);
+    }
+    return process->state == PROCESS_RUNNING;
+}
+
+static bool reap_one(Process *process, pid_t who, int *status) {
+    struct rusage usage = {0};
+    pid_t pid;
+    while ((pid = wait4(who, status, 0, &usage)) < 0 && errno == EINTR)
+        ;
+    process->cpu_seconds += (double)(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+                            1e-6 * (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+    if (usage.ru_maxrss / 1024 > process->peak_mib)
+        process->peak_mib = usage.ru_maxrss / 1024;
+    return pid > 0;
+}
+
+// Waits for the process itself, then kills and collects its whole group: orphans come to us, the subreaper.
+static void collect(Process *process) {
+    int ignored;
+    pid_t group = process->pid;
+    process->pid = 0;
+    reap_one(process, group, &process->status);
+    if (process->wrapped && WIFEXITED(process->status) && WEXITSTATUS(process->status) > 128)
+        process->status = WEXITSTATUS(process->status) - 128;
+    kill(-group, SIGKILL);
+    while (reap_one(process, -group, &ignored))
+        ;
+}
+
+static void kill_all(Process *process) {
+    if (process->pid <= 0)
+        return;
+    kill(process->pid, SIGKILL);
+    kill(-process->pid, SIGKILL);
+    collect(process);
+}
+
+// Waits for the end of the process itself, which has closed its output.
+static void wait_for_end(Process *process) {
+    siginfo_t info = {0};
+    while (waitid(P_PID, (id_t)process->pid, &info, WEXITED | WNOWAIT | WNOHANG) == 0 && info.si_pid == 0 &&
+           process_now() < process->deadline)
+        usleep(500);
+    if (info.si_pid == 0)
+        process->state = PROCESS_TIMED_OUT;
+    else
+        collect(process);
+}
+
+// The process has closed its replies: it is ending. Give it until the deadline to do so, then collect it.
+static void reap(Process *process) {
+    while (process->state == PROCESS_RUNNING && process->pid > 0) {
+        struct pollfd events[3] = {{.fd = process->output, .events = POLLIN}, {.fd = -1}, {.fd = -1}};
+        if (process->output >= 0 && !wait_for_event(process, events))
+            break;
+        if (process->output < 0 || !take_output(process))
+            wait_for_end(process);
+    }
+    if (process->state == PROCESS_RUNNING)
+        process->state = PROCESS_ENDED;
+    else
+        kill_all(process);
+}
+
+static bool send_some(Process *process, const char *request, size_t size, size_t *sent) {
+    ssize_t n = write(process->input, request + *sent, size - *sent);
+    if (n < 0 && errno != EAGAIN && errno != EINTR)
+        return false;
+    *sent += n > 0 ? (size_t)n : 0;
+    return true;
+}
+
+bool process_exchange(Process *process, const void *request, size_t request_size, void *reply,
+                      size_t reply_size) {
+    size_t sent = 0, taken = 0;
+    while (process->state == PROCESS_RUNNING && taken < reply_size) {
+        struct pollfd events[3] = {{.fd = process->replies, .events = POLLIN},
+                                   {.fd = process->output, .events = POLLIN},
+                                   {.fd = sent < request_size ? process->input : -1, .events = POLLOUT}};
+        if (!wait_for_event(process, events))
+            break;
+        if (events[1].revents && !take_output(process))
+            close_end(&process->output);
+        if (events[2].revents && !send_some(process, request, request_size, &sent))
+            break;
+        if (events[0].revents) {
+            ssize_t n = read(process->replies, (char *)reply + taken, reply_size - taken);
+            if (n <= 0)
+                break;
+            taken += (size_t)n;
+        }
+    }
+    if (taken == reply_size)
+        return true;
+    reap(process);
+    return false;
+}
+
+void process_forget_output(Process *process) {
+    process->printed = 0;
+    process->text[0] = '\0';
+}
+
+void process_wait(Process *process) {
+    close_end(&process->input);
+    reap(process);
+}
+
+void process_stop(Process *process) {
+    kill_all(process);
+    if (process->deadline > 0) {
+        close_end(&process->input);
+        close_end(&process->output);
+        close_end(&process->replies);
+    }
+    process->deadline = 0;
+}

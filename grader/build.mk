@@ -1,0 +1,88 @@
+# How the programs are built: every room's objects in one archive, from which the linker takes what a program needs.
+CC := gcc
+CFLAGS ?= -O2 -g
+SANITIZE ?=
+PACKAGES := libpng jansson
+ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fno-math-errno -D_GNU_SOURCE -DCGLM_ALL_UNALIGNED \
+	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
+
+# Rooms that need a package of their own are left out where it is missing: the truth (Embree) and what stands on it, the window (GLFW).
+EMBREE := $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew))
+GLFW := $(shell pkg-config --exists glfw3 && echo glfw3)
+ON_TRUTH := truth study stability
+ROOMS := $(filter-out programs tests $(if $(EMBREE),,$(ON_TRUTH)) $(if $(GLFW),,window),$(notdir $(patsubst %/,%,$(wildcard grader/*/))))
+LIBS = $(shell pkg-config --libs $(PACKAGES) $(GLFW)) $(if $(EMBREE),-lembree3) -lpthread -lm -ldl
+
+objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
+GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
+COMMON := $(call objects,common/*.c common/scene/*.c) $(GLAD)
+ROOM_OBJECTS := $(call objects,$(foreach room,$(filter-out worker,$(ROOMS)),grader/$(room)/*.c grader/$(room)/rows/*.c))
+ARCHIVE := $(BUILD)/rooms.a
+LINK = $(CC) $(SANITIZE) -o $@ $(1) -Wl,--as-needed $(ARCHIVE) $(LIBS)
+
+PROGRAM_SOURCES := $(wildcard grader/programs/*.c)
+MISSING := $(if $(EMBREE),,bench_truth truth_worker stability chart) $(if $(GLFW),,view)
+PROGRAMS := $(addprefix $(BUILD)/,$(filter-out $(MISSING),$(basename $(notdir $(PROGRAM_SOURCES)))))
+# The jail's own programs stand alone. The shim is static where the system has the archives, so that a process inside begins sooner.
+INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
+STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-static)
+TESTS := $(patsubst grader/tests/c/%.c,$(BUILD)/%,$(wildcard grader/tests/c/test_*.c))
+# Shims that are weakened on purpose, and other programs of the tests.
+WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
+
+programs: $(BUILD)/worker $(INSIDE) $(PROGRAMS)
+tests: $(TESTS) hostile-programs
+hostile-programs: $(BUILD)/hostile $(BUILD)/without $(WEAK)
+.PHONY: programs tests hostile-programs
+.SECONDARY:
+
+$(BUILD)/include/glad/gl.h:
+	glad --quiet --reproducible --out-path $(BUILD)/glad --api gl:core=4.1 --extensions '' c --debug
+	glad --quiet --reproducible --out-path $(BUILD)/glad --api egl=1.5 \
+		--extensions EGL_MESA_platform_surfaceless,EGL_KHR_no_config_context c --loader
+	mkdir -p $(BUILD)/include && cp -r $(BUILD)/glad/include/. $(BUILD)/include
+# What every lab.c begins with, compiled once: gcc takes half the time for a submission. given.h itself is only read when the
+# compiler's flags are not those of lab.flags.
+$(BUILD)/include/given.h.gch: $(wildcard common/*.h common/scene/*.h) common/lab.flags | $(BUILD)/include/glad/gl.h
+	echo '#include "lab.h"' >$(@:.gch=)
+	$(CC) @common/lab.flags -Icommon -Icommon/scene -isystem $(BUILD)/include -o $@ $(@:.gch=)
+	printf '#include "lab.h"\n#define GIVEN_NOT_PRECOMPILED\n' >$(@:.gch=)
+$(BUILD)/glad/%.o: $(BUILD)/include/glad/gl.h
+	$(CC) -O1 -w -I$(BUILD)/include -c -o $@ $(BUILD)/glad/src/$*.c
+$(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) -c -o $@ $<
+$(call objects,grader/window/*.c grader/programs/view.c): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
+$(BUILD)/grader/score/score.o: CFLAGS += -O3 # the vectors halve what a picture costs
+
+$(ARCHIVE): $(ROOM_OBJECTS) $(COMMON)
+	@rm -f $@ && ar rcs $@ $^
+$(PROGRAMS): $(BUILD)/%: $(BUILD)/grader/programs/%.o $(ARCHIVE)
+	$(call LINK,$<)
+# A lab finds all of common/ in the worker that loads it.
+$(BUILD)/worker: $(call objects,grader/worker/*.c) $(COMMON) $(ARCHIVE) $(BUILD)/include/given.h.gch
+	$(CC) $(SANITIZE) -rdynamic -o $@ $(filter %.o,$^) -Wl,--as-needed $(ARCHIVE) $(LIBS)
+$(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/c/%.o $(call objects,grader/tests/helpers/*.c) $(ARCHIVE)
+	$(call LINK,$(filter %.o,$^)) -lcmocka
+$(BUILD)/hostile: $(BUILD)/grader/tests/programs/hostile.o $(ARCHIVE)
+	$(call LINK,$<)
+
+inside = $(call objects,grader/jail/inside/$(1)*.c)
+$(INSIDE) $(WEAK) $(BUILD)/without: override SANITIZE :=
+$(BUILD)/jail_shim: $(call inside,shim)
+	$(CC) $(STATIC) -o $@ $^ -lseccomp
+$(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/programs/weak_%.o $(call inside,shim)
+	$(CC) $(STATIC) -o $@ $(filter-out %/shim_$*.o,$^) -lseccomp
+$(BUILD)/without: $(BUILD)/grader/tests/programs/without.o
+	$(CC) -o $@ $^ -lseccomp
+$(BUILD)/test_jail: | $(WEAK)
+$(BUILD)/jail_probe: $(call inside,probe) $(call inside,attack)
+	$(CC) -o $@ $^ -lpthread -lrt
+$(BUILD)/jail_unpack: $(call inside,unpack)
+	$(CC) -o $@ $^ -larchive
+
+%/node_modules/.package-lock.json: %/package.json
+	@command -v npm >/dev/null || { echo "npm is missing; it comes with: common/setup --check" >&2; exit 1; }
+	cd $* && npm install --no-package-lock --no-audit --no-fund --loglevel=error && touch node_modules/.package-lock.json
+
+-include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

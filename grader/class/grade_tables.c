@@ -1,0 +1,78 @@
+#include "class/grade_tables.h"
+
+#include "scene/check.h"
+#include "class/index.h"
+#include "class/table.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Does a spreadsheet take a cell that begins so for a formula? A quote, which tells it not to, is doubled in
+// effect.
+static bool is_dangerous(const char *text) {
+    static const char *const begins[] = {"=", "+", "-", "@", "'", "\uff1d", "\uff0b", "\uff0d", "\uff20"};
+    for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++)
+        if (strncmp(text, begins[i], strlen(begins[i])) == 0)
+            return true;
+    return false;
+}
+
+static void write_name(FILE *out, const char *text) {
+    fputs(is_dangerous(text) ? "\"'" : "\"", out);
+    for (; *text; text++)
+        fputs(*text == '"' ? "\"\"" : (char[2]){*text, '\0'}, out);
+    fputc('"', out);
+}
+
+static void write_row(FILE *out, const Table *table, int i) {
+    bool graded = table_is_graded(table, i);
+    write_name(out, table->roll->entries[i].shown);
+    for (int n = 0; n < table->plan->lab_count; n++)
+        if (graded)
+            fprintf(out, ",%.2f", table_number(table_lab(table, i, n), "score"));
+        else
+            fputc(',', out);
+    if (graded)
+        fprintf(out, ",%.2f,%s\n", table_total(table, i), table_status(table, i));
+    else
+        fprintf(out, ",,%s\n", table_status(table, i));
+}
+
+static bool write_csv(const char *output, const Table *table) {
+    char path[FILES_PATH], *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    INVARIANT(out);
+    fputs("submission", out);
+    for (int n = 0; n < table->plan->lab_count; n++)
+        fprintf(out, ",lab %s", table->plan->labs[n]);
+    fputs(",total,status\n", out);
+    for (int i = 0; i < table->roll->count; i++)
+        write_row(out, table, i);
+    INVARIANT(fclose(out) == 0);
+    files_join(path, output, "grades.csv");
+    bool ok = files_write_whole(path, text, true);
+    free(text);
+    return ok;
+}
+
+static bool write_index(const char *output, const Table *table) {
+    char path[FILES_PATH];
+    char *page = index_page(table);
+    files_join(path, output, "index.html");
+    bool ok = page && files_write_whole(path, page, true);
+    free(page);
+    return ok;
+}
+
+bool gather(const char *output, const Roll *roll, const Plan *plan, int *not_graded) {
+    Table table;
+    table_read(&table, output, roll, plan);
+    *not_graded = 0;
+    for (int i = 0; i < roll->count; i++)
+        *not_graded += !table_is_graded(&table, i);
+    bool ok = write_csv(output, &table) && write_index(output, &table);
+    table_free(&table);
+    return ok;
+}

@@ -1,0 +1,55 @@
+#include "class/run_folder.h"
+
+#include "scene/check.h"
+#include "base/files.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+// Removes what the link names, if it is a folder that files_make_temporary made for us.
+static void remove_linked(const char *link) {
+    char path[FILES_PATH];
+    struct stat info;
+    ssize_t length = readlink(link, path, sizeof path - 1);
+    if (length <= 0)
+        return;
+    path[length] = '\0';
+    const char *name = strrchr(path, '/');
+    if (name && strncmp(name, "/shadow-lab-", 12) == 0 && lstat(path, &info) == 0 && S_ISDIR(info.st_mode) &&
+        info.st_uid == geteuid())
+        files_remove(path);
+    unlink(link);
+}
+
+static void sweep(const char *output) {
+    static const char *const folders[] = {".", "results", "pages"};
+    char path[FILES_PATH];
+    for (int i = 0; i < 3; i++) {
+        files_join(path, output, folders[i]);
+        files_forget_new(path);
+    }
+    files_join(path, output, "work");
+    remove_linked(path);
+    check_clear();
+}
+
+bool workplace_create(const char *output) {
+    char link[FILES_PATH], path[FILES_PATH];
+    sweep(output);
+    files_join(link, output, "work");
+    if (!files_make_temporary(path))
+        return false;
+    bool ok = chmod(path, 0711) == 0 && symlink(path, link) == 0 && setenv("TMPDIR", path, 1) == 0;
+    if (!ok) {
+        check_fail("%s cannot be made: %s", link, strerror(errno));
+        files_remove(path);
+    }
+    return ok;
+}
+
+void workplace_destroy(const char *output) {
+    sweep(output);
+}

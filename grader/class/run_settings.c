@@ -1,0 +1,139 @@
+#include "class/run_settings.h"
+
+#include "scene/check.h"
+#include "base/places.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+// On a busy machine a submission waits for others: what it may compute, not when it gets to it, must decide,
+// so that scores do not depend on how many are graded at a time.
+static const double PATIENCE = 3;
+
+enum { LOCK_TRIES = 100, LOCK_PAUSE = 100 * 1000 }; // microseconds
+
+static void add_lab(const char *id, void *context) {
+    Plan *plan = context;
+    if (plan->lab_count < RESULT_MAX_LABS)
+        memcpy(plan->labs[plan->lab_count++], id, sizeof plan->labs[0]);
+}
+
+static bool from_options(Plan *plan, const Options *options) {
+    *plan = (Plan){.seed = options->grade.seed,
+                   .context = options->grade.context,
+                   .seconds = options->grade.seconds,
+                   .lock = -1};
+    for (int i = 0; i < options->lab_count; i++)
+        add_lab(options->labs[i], plan);
+    return options->lab_count > 0 || home_list_labs(add_lab, plan);
+}
+
+static char *to_text(const Plan *plan) {
+    json_t *labs = json_array();
+    for (int i = 0; i < plan->lab_count; i++)
+        json_array_append_new(labs, json_string(plan->labs[i]));
+    json_t *root = json_pack("{s:i, s:o, s:s, s:f, s:o}", "version", 1, "seed",
+                             json_sprintf("%llu", (unsigned long long)plan->seed), "context",
+                             context_name(plan->context), "timeout", plan->seconds, "labs", labs);
+    char *text = json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
+    json_decref(root);
+    return text;
+}
+
+static bool from_file(Plan *plan, const char *path) {
+    json_error_t error;
+    const char *seed = NULL, *context = NULL;
+    json_t *labs = NULL, *lab, *root = json_load_file(path, 0, &error);
+    *plan = (Plan){.lock = -1};
+    size_t i;
+    bool ok = root && json_unpack(root, "{s:s, s:s, s:F, s:o}", "seed", &seed, "context", &context, "timeout",
+                                  &plan->seconds, "labs", &labs) == 0;
+    ok = ok && context_parse(&plan->context, context);
+    if (ok)
+        plan->seed = strtoull(seed, NULL, 10);
+    json_array_foreach(labs, i, lab) {
+        ok = ok && json_string_length(lab) == 2;
+        if (ok)
+            add_lab(json_string_value(lab), plan);
+    }
+    json_decref(root);
+    return (ok && plan->lab_count > 0) || check_fail("%s is not what build/grade wrote there", path);
+}
+
+static bool same_labs(const Plan *plan, const Options *options) {
+    for (int i = 0; i < options->lab_count; i++)
+        if (i >= plan->lab_count || strcmp(plan->labs[i], options->labs[i]) != 0)
+            return false;
+    return options->lab_count == 0 || options->lab_count == plan->lab_count;
+}
+
+// May these options go on with the plan that is there?
+static bool agrees(const Plan *plan, const Options *options) {
+    if (!options->resume && !options->only && !options->gather)
+        return check_fail("%s holds a class run already: go on with it by --resume, or take another folder",
+                          options->output);
+    if (options->seeded && options->grade.seed != plan->seed)
+        return check_fail("%s was begun with --seed %llu: for another seed take another folder",
+                          options->output, (unsigned long long)plan->seed);
+    if (options->timed && options->grade.seconds != plan->seconds)
+        return check_fail("%s was begun with --timeout %g: for another one take another folder",
+                          options->output, plan->seconds);
+    return same_labs(plan, options) ||
+           check_fail("%s was begun with other labs: take another folder for these", options->output);
+}
+
+static bool take_lock(Plan *plan, const char *path, bool alone) {
+    plan->lock = open(path, O_RDWR | O_CLOEXEC);
+    if (plan->lock < 0)
+        return check_fail("%s cannot be opened: %s", path, strerror(errno));
+    for (int i = 0; i < LOCK_TRIES; i++) { // processes of a run that was just killed may still be going
+        if (flock(plan->lock, (alone ? LOCK_EX : LOCK_SH) | LOCK_NB) == 0)
+            return true;
+        usleep(LOCK_PAUSE);
+    }
+    return check_fail("another run is at work in this folder (%s is locked)", path);
+}
+
+bool plan_open(Plan *plan, const Options *options) {
+    char path[FILES_PATH];
+    files_join(path, options->output, "class.json");
+    *plan = (Plan){.lock = -1};
+    if (!files_exists(path)) {
+        if (options->gather)
+            return check_fail("%s holds no class run", options->output);
+        char *text = from_options(plan, options) ? to_text(plan) : NULL;
+        bool made = text && files_write_whole(path, text, false);
+        free(text);
+        if (!made)
+            return false;
+    } else if (!from_file(plan, path) || !agrees(plan, options)) {
+        return false;
+    }
+    return from_file(plan, path) && (options->gather || take_lock(plan, path, !options->only));
+}
+
+void plan_close(Plan *plan) {
+    if (plan->lock >= 0)
+        close(plan->lock);
+    plan->lock = -1;
+}
+
+bool plan_session(const Plan *plan, const Jail *jail, Session *session) {
+    *session = (Session){.options = {.context = plan->context,
+                                     .seconds = plan->seconds,
+                                     .patience = PATIENCE,
+                                     .seed = plan->seed,
+                                     .jail = jail,
+                                     .evidence = true},
+                         .keep = true,
+                         .complete = true};
+    for (int i = 0; i < plan->lab_count; i++)
+        if (!session_add(session, plan->labs[i]))
+            return false;
+    return true;
+}

@@ -1,0 +1,65 @@
+#include "class/submission_record.h"
+
+#include "scene/check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static void place(char path[FILES_PATH], const char *output, const char *kind, const Entry *entry,
+                  const char *end) {
+    int length = snprintf(path, FILES_PATH, "%s/%s/%s.%s", output, kind, entry->file, end);
+    INVARIANT(length < FILES_PATH);
+}
+
+static bool write_record(const char *output, const Entry *entry, const char *reason, json_t *report) {
+    char path[FILES_PATH];
+    json_t *root = json_pack("{s:i, s:s, s:b, s:s, s:o}", "version", 1, "submission", entry->shown, "graded",
+                             reason[0] == '\0', "reason", reason, "report", report);
+    char *text = root ? json_dumps(root, JSON_INDENT(1) | JSON_REAL_PRECISION(10)) : NULL;
+    json_decref(root);
+    place(path, output, "results", entry, "json");
+    bool ok = text ? files_write_whole(path, text, true)
+                   : check_fail("the record of \"%s\" is no JSON", entry->shown);
+    free(text);
+    return ok;
+}
+
+static bool write_page(const char *output, const Entry *entry, const Report *report) {
+    char path[FILES_PATH];
+    char *page = report_html(report, entry->shown);
+    place(path, output, "pages", entry, "html");
+    bool ok = page && files_write_whole(path, page, true);
+    free(page);
+    return ok;
+}
+
+bool record_write(const char *output, const Entry *entry, const Report *report) {
+    return write_page(output, entry, report) && write_record(output, entry, "", report_json(report));
+}
+
+bool record_write_failure(const char *output, const Entry *entry, const char *reason) {
+    char path[FILES_PATH], *shown = escape_name(reason);
+    place(path, output, "pages", entry, "html");
+    unlink(path);
+    bool ok = write_record(output, entry, shown[0] ? shown : "unknown", json_null());
+    free(shown);
+    return ok;
+}
+
+json_t *record_read(const char *output, const Entry *entry) {
+    char path[FILES_PATH];
+    place(path, output, "results", entry, "json");
+    json_t *root = json_load_file(path, 0, NULL);
+    const char *name = json_string_value(json_object_get(root, "submission"));
+    if (name && strcmp(name, entry->shown) == 0 && json_integer_value(json_object_get(root, "version")) == 1)
+        return root;
+    json_decref(root);
+    return NULL;
+}
+
+bool record_is_graded(const json_t *record) {
+    return json_is_true(json_object_get(record, "graded")) &&
+           json_is_object(json_object_get(record, "report"));
+}

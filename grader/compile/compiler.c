@@ -1,0 +1,99 @@
+#include "compile/compiler.h"
+
+#include "scene/check.h"
+#include "base/files.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+enum { MAX_LIBRARY_MIB = 16 };
+
+// A tool's process with everything that it says in process->text.
+static bool run_tool(Process *process, char *const *arguments, const char *folder, const char *out,
+                     const Jail *jail) {
+    char path[FILES_PATH] = "PATH=";
+    const char *ours = getenv("PATH");
+    check_append(path, sizeof path, "%s", jail || !ours ? "/usr/local/bin:/usr/bin:/bin" : ours);
+    char *environment[] = {path, "LC_ALL=C", out ? "TMPDIR=out" : "TMPDIR=.", NULL};
+    const JailPlan plan = {
+        .kind = JAIL_TOOLS,
+        .limits = {.wall_seconds = 20, .cpu_seconds = 5, .memory_mib = 2048, .file_mib = MAX_LIBRARY_MIB},
+        .folder = folder,
+        .writable = out};
+    if (!jail_start(jail, &plan, process, arguments, environment))
+        return false;
+    process_wait(process);
+    bool ok =
+        process->state == PROCESS_ENDED && WIFEXITED(process->status) && WEXITSTATUS(process->status) == 0;
+    process_stop(process);
+    return ok;
+}
+
+// The flags are those of common/lab.flags, with which the Makefile precompiles given.h.
+static bool run_gcc(Process *process, const char *folder, const char *out, const Jail *jail) {
+    char common[FILES_PATH], packages[FILES_PATH], flags[FILES_PATH + 16], scene[FILES_PATH + 16];
+    jail_part(jail, "common", common);
+    jail_part(jail, "include", packages);
+    snprintf(flags, sizeof flags, "@%s/lab.flags", common);
+    snprintf(scene, sizeof scene, "%s/scene", common);
+    char *arguments[] = {"gcc",     flags,
+                         "-Wall",   "-Wextra",
+                         "-shared", "-I",
+                         common,    "-I",
+                         scene,     "-isystem",
+                         packages,  "-include",
+                         "given.h", "-fmax-errors=20",
+                         "-o",      out ? "out/lab.so" : "lab.so",
+                         "./lab.c", "-lm",
+                         NULL};
+    return run_tool(process, arguments, folder, out, jail);
+}
+
+// What the jail wrote is as strange as what it was made from.
+static bool take_library(const char *folder, const char *out) {
+    char library[FILES_PATH];
+    files_join(library, folder, "lab.so");
+    return files_take(out, "lab.so", library, MAX_LIBRARY_MIB << 20);
+}
+
+bool compile_lab(const char *folder, const Jail *jail, char log[COMPILE_LOG]) {
+    static _Thread_local Process process;
+    char out[FILES_PATH];
+    files_join(out, folder, "out");
+    if (jail && !files_make_folder(out))
+        return false;
+    bool ok = run_gcc(&process, folder, jail ? out : NULL, jail);
+    snprintf(log, COMPILE_LOG, "%.*s", COMPILE_LOG - 1, process.text);
+    if (!ok)
+        check_fail(process.state == PROCESS_ENDED
+                       ? "lab.c does not compile"
+                       : "the compiler was stopped: lab.c takes too long to compile");
+    ok = ok && (!jail || take_library(folder, out));
+    if (jail)
+        files_remove(out);
+    return ok;
+}
+
+static bool locate_one(const char *folder, const Jail *jail, const char *offset, char *place, size_t size) {
+    static _Thread_local Process process;
+    char *arguments[] = {"addr2line", "-s", "-e", "lab.so", (char *)offset, NULL};
+    if (!run_tool(&process, arguments, folder, NULL, jail) || process.text[0] == '?')
+        return false;
+    snprintf(place, size, "%.*s", (int)strcspn(process.text, " \n"), process.text);
+    return true;
+}
+
+void compile_locate(const char *folder, const Jail *jail, char *text, size_t size) {
+    char *mark = strstr(text, " @0x");
+    char *end = mark ? strchr(mark + 2, '@') : NULL;
+    if (!end)
+        return;
+    char offset[32], place[128] = "", rest[1024];
+    snprintf(offset, sizeof offset, "%.*s", (int)(end - mark - 2), mark + 2);
+    snprintf(rest, sizeof rest, "%s", end + 1);
+    bool found = locate_one(folder, jail, offset, place, sizeof place);
+    *mark = '\0';
+    check_append(text, size, "%s%s%s%s", found ? " (" : "", place, found ? ")" : "", rest);
+}

@@ -1,0 +1,142 @@
+#include "compile/lab_folder.h"
+
+#include "scene/check.h"
+#include "base/hash.h"
+#include "base/places.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+typedef struct Texts {
+    char *of[RUBRIC_MAX_FILES]; // in the order of rubric->files
+} Texts;
+
+static void free_texts(Texts *texts) {
+    for (int i = 0; i < RUBRIC_MAX_FILES; i++)
+        free(texts->of[i]);
+}
+
+// Replaces *text by `changed`, which may be NULL after a failure.
+static bool replace_text(char **text, char *changed) {
+    free(*text);
+    *text = changed;
+    return changed != NULL;
+}
+
+static bool apply_edits(Texts *texts, const Rubric *rubric, const Change *change) {
+    for (int e = 0; change && e < change->edit_count; e++) {
+        int i = 0;
+        while (i < rubric->file_count && strcmp(rubric->files[i], change->edits[e].file) != 0)
+            i++;
+        if (i == rubric->file_count)
+            return check_fail("\"%s\" edits %s, which rubric.json does not list", change->name,
+                              change->edits[e].file);
+        if (!replace_text(&texts->of[i], source_edit(texts->of[i], &change->edits[e])))
+            return false;
+    }
+    return true;
+}
+
+static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
+    for (int i = 0; i < rubric->file_count; i++) {
+        char path[FILES_PATH];
+        files_join(path, rubric->folder, rubric->files[i]);
+        texts->of[i] = files_read(path, DERIVE_MAX_FILE);
+        if (!texts->of[i] ||
+            !replace_text(&texts->of[i], source_select(rubric->files[i], texts->of[i], solved, true)))
+            return false;
+    }
+    return true;
+}
+
+// The worker stands for common/: it is linked anew when a header or a function there changes.
+static uint64_t hash_texts(const Texts *texts, const Rubric *rubric) {
+    char worker[FILES_PATH];
+    struct stat info = {0};
+    home_build_path(worker, "worker");
+    stat(worker, &info);
+    uint64_t hash = hash_bytes(HASH_START, &info.st_mtim, sizeof info.st_mtim);
+    hash = hash_bytes(hash, rubric->id, sizeof rubric->id);
+    for (int i = 0; i < rubric->file_count; i++)
+        hash = hash_bytes(hash, texts->of[i], strlen(texts->of[i]) + 1);
+    return hash;
+}
+
+static bool write_texts(const char *folder, const Rubric *rubric, const Texts *texts) {
+    for (int i = 0; i < rubric->file_count; i++) {
+        char path[FILES_PATH];
+        files_join(path, folder, rubric->files[i]);
+        if (!files_write(path, texts->of[i]))
+            return false;
+    }
+    return true;
+}
+
+// Builds aside and renames, so that a folder in the cache is always whole, also with several graders at once.
+static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts *texts) {
+    char aside[FILES_PATH], log[COMPILE_LOG];
+    snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
+    if (!files_make_folder(aside) || !write_texts(aside, rubric, texts))
+        return false;
+    if (!compile_lab(aside, NULL, log)) {
+        files_remove(aside);
+        return check_fail("%s", log) || check_fail("our own lab %s does not compile", rubric->id);
+    }
+    aside[strlen(aside) - 1] = '\0';
+    if (rename(aside, folder) != 0)
+        files_remove(aside);
+    return true;
+}
+
+bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, const Change *change) {
+    Texts texts = {0};
+    bool ok = read_ours(&texts, rubric, solved) && apply_edits(&texts, rubric, change);
+    if (ok) {
+        char name[64];
+        snprintf(name, sizeof name, "cache/%s-%016llx", rubric->id,
+                 (unsigned long long)hash_texts(&texts, rubric));
+        home_build_path(folder, name);
+        ok = files_exists(folder) || build_in_cache(folder, rubric, &texts);
+    }
+    free_texts(&texts);
+    return ok;
+}
+
+// Takes lab.so from an earlier folder; false when lab.c is not the same there.
+static bool take_library(const char *folder, const char *earlier) {
+    char path[FILES_PATH], old_path[FILES_PATH];
+    files_join(path, folder, "lab.c");
+    files_join(old_path, earlier, "lab.c");
+    char *text = files_read(path, DERIVE_MAX_FILE), *old = files_read(old_path, DERIVE_MAX_FILE);
+    bool same = text && old && strcmp(text, old) == 0;
+    free(text);
+    free(old);
+    files_join(path, folder, "lab.so");
+    files_join(old_path, earlier, "lab.so");
+    return same && link(old_path, path) == 0;
+}
+
+bool derive_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
+                  const Jail *jail, char log[COMPILE_LOG]) {
+    Texts texts = {0};
+    bool ok = true;
+    log[0] = '\0';
+    for (int i = 0; ok && i < rubric->file_count; i++) {
+        texts.of[i] = files_read_strange(submission, rubric->files[i], DERIVE_MAX_FILE);
+        ok = texts.of[i] && replace_text(&texts.of[i], source_select(rubric->files[i], texts.of[i],
+                                                                     (Solved){SOLVED_ALL, NULL}, true));
+    }
+    ok = ok && write_texts(folder, rubric, &texts) &&
+         ((earlier && take_library(folder, earlier)) || compile_lab(folder, jail, log));
+    free_texts(&texts);
+    return ok;
+}
+
+bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
+                       char log[COMPILE_LOG]) {
+    return derive_again(folder, NULL, rubric, submission, jail, log);
+}

@@ -1,0 +1,69 @@
+// What comes out of grading. Plain data; strings from the rubric live as long as it does.
+#pragma once
+
+#include "exam/exam.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { RESULT_TEXT = 8000, RESULT_MAX_LABS = 16 };
+
+// Pictures of the worst variant of a failed check; the last is an enlarged crop of the others side by side.
+enum { EVIDENCE_YOURS, EVIDENCE_REFERENCE, EVIDENCE_DIFFERENCE, EVIDENCE_CROP, EVIDENCE_PARTS };
+
+typedef struct CheckResult {
+    const Check *check;
+    double share; // of the points; the worst variant counts
+    double error; // inside + outside of that variant (see score.h)
+    int worst;    // that variant
+    bool passed;  // all but a trace of the points
+    bool has_cause;
+    bool undone;            // the cause: a task is not done yet, rather than done wrong
+    const char *cause_task; // where to look; NULL when it is the check's own task
+    char mistake[256], hint[1500];
+    Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
+    Image evidence[EVIDENCE_PARTS]; // owned; empty when the check passed or nobody asked for it
+} CheckResult;
+
+typedef enum LabStatus { LAB_PASSED, LAB_FAILED, LAB_ERROR, LAB_TIMEOUT } LabStatus;
+
+typedef struct LabResult {
+    char id[3];
+    char name[64]; // the title, a copy
+    LabStatus status;
+    double score, max_score;
+    double speed_ratio;        // CPU time to the solution's, median over the frames; 0 when nothing was drawn
+    char message[RESULT_TEXT]; // what went wrong as a whole, "" when nothing did
+    char warnings[RESULT_TEXT]; // gcc's, GL's and remarks about ignored files
+    int check_count;
+    CheckResult checks[RUBRIC_MAX_CHECKS];
+} LabResult;
+
+typedef struct Report {
+    uint64_t seed;
+    const char *context;
+    const char *jail; // the route: "bwrap", "landlock" or "none"
+    char renderer[128];
+    double seconds;
+    int lab_count;
+    LabResult *labs; // RESULT_MAX_LABS, owned
+} Report;
+
+// As in the JSON: "passed", ...
+const char *result_status_name(LabStatus status);
+double result_points(const CheckResult *check); // rounded to hundredths
+
+// Are all pictures of the check still those of the solution without its task, or else of the skeleton?
+typedef enum Touch { TOUCH_TASK_MISSING, TOUCH_AS_SKELETON, TOUCH_CHANGED } Touch;
+Touch result_touch(const CheckResult *check, const Variant *variants);
+// Is there nothing left to do: did every check pass that is not optional?
+bool result_done(const LabResult *lab);
+
+// Did the lab draw at least one frame?
+bool result_was_drawn(const LabResult *lab);
+double result_score(const Report *report);
+double result_max_score(const Report *report);
+void result_destroy_lab(LabResult *lab); // accepts a zeroed result
+
+// Copies `text` with every byte that is not printable ASCII or a line end written as \xNN.
+void result_clean(char *clean, size_t size, const char *text);

@@ -1,0 +1,195 @@
+#include "exam/exam.h"
+
+#include "scene/check.h"
+#include "score/score.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_TRIES = 60 };
+static const double MIN_MASK = 0.01;
+
+float exam_milliseconds(const Reply *reply) {
+    float sum = 0;
+    for (int i = 0; i < LAB_MAX_PASSES; i++)
+        sum += reply->milliseconds[i];
+    return sum;
+}
+
+static bool make_request(Request *request, const Check *check, Random *random) {
+    *request = (Request){.magic = PROTOCOL_MAGIC, .fresh = 1, .knob_count = check->knob_count};
+    snprintf(request->view, sizeof request->view, "%s", check->view);
+    for (int i = 0; i < check->knob_count; i++) {
+        snprintf(request->knobs[i].name, sizeof request->knobs[i].name, "%s", check->knobs[i].name);
+        request->knobs[i].value = check->knobs[i].value;
+    }
+    return scene_make(&request->scene, check->scene, random);
+}
+
+static bool scores(const Image *picture, const Variant *variant) {
+    return score_frame(picture, &variant->reference, &variant->without, &variant->skeleton).share > 0;
+}
+
+static bool trivial_scores(const Variant *variant) {
+    Image plain = {0};
+    uint8_t mean[3];
+    score_mean_color(&variant->reference, mean);
+    if (!image_copy(&plain, &variant->reference))
+        return true;
+    score_fill(&plain, (const uint8_t[3]){0, 0, 0});
+    bool found = scores(&plain, variant);
+    score_fill(&plain, mean);
+    found = found || scores(&plain, variant);
+    image_destroy(&plain);
+    return found;
+}
+
+bool exam_acceptable(const Variant *variants, int n) {
+    const Variant *variant = &variants[n];
+    if (score_mask(&variant->reference, &variant->without) < MIN_MASK ||
+        score_mask(&variant->reference, &variant->skeleton) < MIN_MASK || trivial_scores(variant))
+        return false;
+    for (int i = 0; i < n; i++)
+        if (scores(&variants[i].reference, variant) || scores(&variant->reference, &variants[i]))
+            return false;
+    return true;
+}
+
+typedef struct Painters {
+    Roster *roster;
+    const Painter *solution, *skeleton, *without;
+} Painters;
+
+static bool draw_variant(Variant *variant, const Painters *painters, char renderer[128]) {
+    static Reply reply;
+    if (!roster_draw(painters->roster, painters->skeleton, &variant->request, &variant->skeleton, &reply) ||
+        !roster_draw(painters->roster, painters->without, &variant->request, &variant->without, &reply) ||
+        !roster_draw(painters->roster, painters->solution, &variant->request, &variant->reference, &reply))
+        return false;
+    memcpy(renderer, reply.renderer, sizeof reply.renderer);
+    return reply.drawn ||
+           check_fail("our own solution in %s draws nothing: %s", painters->solution->folder, reply.message);
+}
+
+typedef struct Draw {
+    Random random;
+    int width, height;
+} Draw;
+
+static Draw begin_draw(const Exam *exam, int c) {
+    Random random = {exam->seed ^ (0x517cc1b727220a95u * (uint64_t)(c + 1))};
+    random.state ^= (uint64_t)atoi(exam->rubric->id) << 32;
+    const int width = 16 * random_int(&random, 9, 12), height = 16 * random_int(&random, 7, 9);
+    return (Draw){random, width, height};
+}
+
+static bool draw_request(Draw *draw, Request *request, const Check *check) {
+    bool ok = make_request(request, check, &draw->random);
+    request->width = draw->width;
+    request->height = draw->height;
+    return ok;
+}
+
+static bool create_check(Exam *exam, int c, const Painters *painters) {
+    const Check *check = &exam->rubric->checks[c];
+    Draw draw = begin_draw(exam, c);
+    bool ok = true;
+    int n = 0;
+    for (int try = 0; ok && n < check->variants && try < MAX_TRIES; try++) {
+        Variant *variant = &exam->variants[c][n];
+        exam->tries[c][n] = try;
+        ok = draw_request(&draw, &variant->request, check) && draw_variant(variant, painters, exam->renderer);
+        n += ok && exam_acceptable(exam->variants[c], n);
+    }
+    if (ok && n < check->variants)
+        return check_fail(
+            "lab %s, check \"%s\": seed %llu gives only %d of %d variants in which the task shows; "
+            "try another seed or mend the rubric",
+            exam->rubric->id, check->name, (unsigned long long)exam->seed, n, check->variants);
+    return ok;
+}
+
+bool exam_restore(Exam *exam, const Rubric *rubric, uint64_t seed,
+                  int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]) {
+    memset(exam, 0, sizeof *exam);
+    exam->rubric = rubric;
+    exam->seed = seed;
+    for (int c = 0; c < rubric->check_count; c++) {
+        Draw draw = begin_draw(exam, c);
+        int drawn = 0;
+        for (int n = 0; n < rubric->checks[c].variants; n++) {
+            exam->tries[c][n] = tries[c][n];
+            for (; drawn <= tries[c][n]; drawn++)
+                if (!draw_request(&draw, &exam->variants[c][n].request, &rubric->checks[c]))
+                    return false;
+        }
+    }
+    return true;
+}
+
+bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed) {
+    memset(exam, 0, sizeof *exam);
+    exam->rubric = rubric;
+    exam->roster = roster;
+    exam->seed = seed;
+    for (int c = 0; c < rubric->check_count; c++) {
+        Painters painters = {roster, roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL),
+                             roster_get(roster, (Solved){SOLVED_NONE, NULL}, NULL),
+                             roster_get(roster, (Solved){SOLVED_ALL_BUT, rubric->checks[c].task}, NULL)};
+        if (!painters.solution || !painters.skeleton || !painters.without ||
+            !create_check(exam, c, &painters)) {
+            exam_destroy(exam);
+            return false;
+        }
+    }
+    return true;
+}
+
+static const Image *shown(const LatePicture *late, const Variant *variant) {
+    return late->image.rgba ? &late->image : &variant->reference;
+}
+
+// Most mistakes do not show in most checks: of those that draw the reference, nothing is kept.
+static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant *variant, Solved solved,
+                              const Change *change) {
+    static Reply reply;
+    if (late->known)
+        return shown(late, variant);
+    const Painter *painter = exam->roster ? roster_get(exam->roster, solved, change) : NULL;
+    if (!exam->roster)
+        check_fail("a picture is missing in the recorded exam %llu of lab %s", (unsigned long long)exam->seed,
+                   exam->rubric->id);
+    if (!painter || !roster_draw(exam->roster, painter, &variant->request, &late->image, &reply))
+        return NULL;
+    late->known = true;
+    late->drawn = reply.drawn;
+    if (memcmp(late->image.rgba, variant->reference.rgba, image_bytes(&late->image)) == 0)
+        image_destroy(&late->image);
+    return shown(late, variant);
+}
+
+const Image *exam_mistake(Exam *exam, int m, int c, int n) {
+    return draw_late(&exam->mistakes[m][c][n], exam, &exam->variants[c][n], (Solved){SOLVED_ALL, NULL},
+                     &exam->rubric->mistakes[m]);
+}
+
+const Image *exam_partial(Exam *exam, int t, int c, int n) {
+    const char *task = t < EXAM_MAX_TASKS ? rubric_task(exam->rubric, t) : NULL;
+    return task ? draw_late(&exam->partials[t][c][n], exam, &exam->variants[c][n],
+                            (Solved){SOLVED_UP_TO, task}, NULL)
+                : NULL;
+}
+
+void exam_destroy(Exam *exam) {
+    for (int c = 0; c < RUBRIC_MAX_CHECKS; c++)
+        for (int n = 0; n < EXAM_MAX_VARIANTS; n++) {
+            image_destroy(&exam->variants[c][n].reference);
+            image_destroy(&exam->variants[c][n].without);
+            image_destroy(&exam->variants[c][n].skeleton);
+            for (int m = 0; m < EXAM_MAX_MISTAKES; m++)
+                image_destroy(&exam->mistakes[m][c][n].image);
+            for (int t = 0; t < EXAM_MAX_TASKS; t++)
+                image_destroy(&exam->partials[t][c][n].image);
+        }
+}

@@ -1,0 +1,57 @@
+// The frames that a lab is graded by: for each check of the rubric some variants drawn from a seed, with what
+// the solution draws for them, what it draws without the check's task and what the skeleton draws.
+#pragma once
+
+#include "exam/painters.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { EXAM_MAX_VARIANTS = 8, EXAM_MAX_MISTAKES = 40, EXAM_MAX_TASKS = 20 };
+
+typedef struct Variant {
+    Request request;
+    Image reference, without, skeleton;
+} Variant;
+
+// One more picture of a variant, kept once it was asked for.
+typedef struct LatePicture {
+    bool known;
+    bool drawn;  // false: ours gave a reason why it drew nothing, which counts as black
+    Image image; // owned; empty when it is the reference's
+} LatePicture;
+
+typedef struct Exam {
+    const Rubric *rubric;
+    Roster *roster; // draws what is asked for later; NULL when everything was recorded
+    uint64_t seed;
+    Variant variants[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]; // which of the drawn variants each one is, from 0
+    char renderer[128];
+    float milliseconds[RUBRIC_MAX_CHECKS]; // of the solution in a check's last variant; 0: not measured yet
+    LatePicture mistakes[EXAM_MAX_MISTAKES][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+} Exam;
+
+// Is variants[n], drawn, worth asking beside those before it? The task and the whole lab must each change at
+// least 1 % of its pixels, and nothing cheap scores in it: black, the mean colour and the references of the
+// other variants all get 0.
+bool exam_acceptable(const Variant *variants, int n);
+
+// Draws the variants, all of them acceptable. The roster must outlive the exam.
+bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed);
+void exam_destroy(Exam *exam); // accepts a zeroed exam
+
+// The same requests as exam_create makes, from its `tries`, but no pictures. False with a message.
+bool exam_restore(Exam *exam, const Rubric *rubric, uint64_t seed,
+                  int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]);
+
+// The picture of mistake m in variant n of check c; NULL with a message when our own worker fails. Valid
+// while the exam is.
+const Image *exam_mistake(Exam *exam, int m, int c, int n);
+
+// The same of our lab solved up to the task with number t ("3.4" for 4); NULL also when no check is about it.
+const Image *exam_partial(Exam *exam, int t, int c, int n);
+
+// Sum of the pass times of a reply.
+float exam_milliseconds(const Reply *reply);

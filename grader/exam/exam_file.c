@@ -1,0 +1,241 @@
+#include "exam/exam_file.h"
+
+#include "scene/check.h"
+#include "base/places.h"
+
+#include <jansson.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/random.h>
+
+// A check's frames lie one below the other in one PNG: of each variant the reference, and then what differs
+// from it, as the exclusive or with the reference, which is mostly 0. Other frames refer to theirs by its
+// distance from the reference, 0 for the reference itself.
+enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + 3 };
+
+bool recorded_only(void) {
+    char solutions[FILES_PATH], recorded[FILES_PATH];
+    home_path(solutions, "solutions");
+    home_path(recorded, "grader/recorded/seeds.json");
+    return !files_exists(solutions) && files_exists(recorded);
+}
+
+bool recorded_draw_seed(uint64_t *seed) {
+    char path[FILES_PATH];
+    INVARIANT(getrandom(seed, sizeof *seed, 0) == sizeof *seed);
+    if (!recorded_only())
+        return true;
+    home_path(path, "grader/recorded/seeds.json");
+    json_t *seeds = json_load_file(path, 0, NULL);
+    size_t count = json_array_size(seeds);
+    const char *text = count ? json_string_value(json_array_get(seeds, *seed % count)) : NULL;
+    if (text)
+        *seed = strtoull(text, NULL, 10);
+    json_decref(seeds);
+    return text || check_fail("%s cannot be read", path);
+}
+
+bool recorded_is_handed_out(const Rubric *rubric, const char *name) {
+    char folder[FILES_PATH], path[FILES_PATH];
+    if (strlen(name) > 200)
+        return false;
+    snprintf(folder, sizeof folder, "%s", rubric->folder);
+    if (recorded_only()) {
+        home_path(path, "grader/recorded/labs");
+        files_join(folder, path, strrchr(rubric->folder, '/') + 1);
+    }
+    files_join(path, folder, name);
+    return files_exists(path);
+}
+
+static void place(char path[FILES_PATH], const char *folder, uint64_t seed, const char *end) {
+    char name[64];
+    snprintf(name, sizeof name, "exam-%llu%s", (unsigned long long)seed, end);
+    files_join(path, folder, name);
+}
+
+static void place_strip(char path[FILES_PATH], const char *folder, uint64_t seed, int c) {
+    char end[24];
+    snprintf(end, sizeof end, "-%02d.png", c + 1);
+    place(path, folder, seed, end);
+}
+
+typedef struct Strip {
+    const Image *frames[EXAM_MAX_VARIANTS * MAX_FRAMES]; // not owned
+    int bases[EXAM_MAX_VARIANTS * MAX_FRAMES];           // number of the reference
+    int count, base;
+} Strip;
+
+// The distance of the frame from its reference; adds it when it is not there yet.
+static int put(Strip *strip, const Image *frame) {
+    for (int i = strip->base; i < strip->count; i++)
+        if (memcmp(strip->frames[i]->rgba, frame->rgba, image_bytes(frame)) == 0)
+            return i - strip->base;
+    strip->frames[strip->count] = frame;
+    strip->bases[strip->count] = strip->base;
+    return strip->count++ - strip->base;
+}
+
+static json_t *put_mistakes(Strip *strip, Exam *exam, int c, int n) {
+    json_t *list = json_array();
+    for (int m = 0; m < exam->rubric->mistake_count; m++) {
+        const Image *frame = exam_mistake(exam, m, c, n);
+        if (frame)
+            json_array_append_new(list, json_integer(put(strip, frame)));
+    }
+    return list;
+}
+
+static json_t *put_partials(Strip *strip, Exam *exam, int c, int n) {
+    json_t *list = json_array();
+    for (int t = 0; t < EXAM_MAX_TASKS; t++) {
+        const Image *frame = exam_partial(exam, t, c, n);
+        json_array_append_new(list, json_integer(frame ? put(strip, frame) : -1));
+    }
+    return list;
+}
+
+static json_t *put_variant(Strip *strip, Exam *exam, int c, int n) {
+    const Variant *variant = &exam->variants[c][n];
+    strip->base = strip->count;
+    put(strip, &variant->reference);
+    int without = put(strip, &variant->without), skeleton = put(strip, &variant->skeleton);
+    return json_pack("{s:i, s:i, s:i, s:i, s:o, s:o}", "try", exam->tries[c][n], "frame", strip->base,
+                     "without", without, "skeleton", skeleton, "mistakes", put_mistakes(strip, exam, c, n),
+                     "partials", put_partials(strip, exam, c, n));
+}
+
+static bool write_strip(const Strip *strip, const char *path) {
+    Image all;
+    const Image *first = strip->frames[0];
+    size_t bytes = image_bytes(first), size;
+    if (!image_create(&all, first->width, first->height * strip->count))
+        return false;
+    for (int i = 0; i < strip->count; i++) {
+        const Image *base = strip->bases[i] == i ? NULL : strip->frames[strip->bases[i]];
+        for (size_t at = 0; at < bytes; at++)
+            all.rgba[(size_t)i * bytes + at] = strip->frames[i]->rgba[at] ^ (base ? base->rgba[at] : 0);
+    }
+    uint8_t *png = image_encode_png(&all, true, &size);
+    image_destroy(&all);
+    FILE *file = png ? fopen(path, "wb") : NULL;
+    bool ok = file && fwrite(png, 1, size, file) == size;
+    ok = file && fclose(file) == 0 && ok;
+    free(png);
+    return ok || check_fail("%s cannot be written", path);
+}
+
+static bool save_check(Exam *exam, int c, const char *folder, json_t *checks) {
+    static Strip strip;
+    char path[FILES_PATH];
+    strip.count = 0;
+    json_t *variants = json_array();
+    json_array_append_new(checks, variants);
+    bool ok = true;
+    for (int n = 0; ok && n < exam->rubric->checks[c].variants; n++) {
+        json_t *entry = put_variant(&strip, exam, c, n);
+        ok = json_array_append_new(variants, entry) == 0 &&
+             json_array_size(json_object_get(entry, "mistakes")) == (size_t)exam->rubric->mistake_count;
+    }
+    place_strip(path, folder, exam->seed, c);
+    return ok && write_strip(&strip, path);
+}
+
+bool recorded_save(Exam *exam, const char *folder) {
+    char path[FILES_PATH];
+    json_t *checks = json_array();
+    json_t *root = json_pack("{s:i, s:s, s:o}", "version", 1, "renderer", exam->renderer, "checks", checks);
+    bool ok = true;
+    for (int c = 0; ok && c < exam->rubric->check_count; c++)
+        ok = save_check(exam, c, folder, checks);
+    place(path, folder, exam->seed, ".json");
+    if (ok && json_dump_file(root, path, JSON_COMPACT) != 0)
+        ok = check_fail("%s cannot be written", path);
+    json_decref(root);
+    return ok;
+}
+
+// Cuts a frame out of the strip. False when there is no such frame.
+static bool cut(Image *image, const Image *strip, const Request *request, int base, int distance) {
+    size_t bytes = 4 * (size_t)request->width * (size_t)request->height;
+    int frames = (int)(image_bytes(strip) / bytes);
+    if (base < 0 || distance < 0 || strip->width != request->width || base >= frames - distance ||
+        !image_create(image, request->width, request->height))
+        return false;
+    const uint8_t *first = strip->rgba + (size_t)base * bytes, *from = first + (size_t)distance * bytes;
+    for (size_t at = 0; at < bytes; at++)
+        image->rgba[at] = from[at] ^ (distance ? first[at] : 0);
+    return true;
+}
+
+typedef struct Cutting {
+    const Image *strip;
+    const Request *request;
+    int base;
+} Cutting;
+
+static bool cut_late(LatePicture *late, const Cutting *cutting, json_t *list, int i) {
+    int distance = (int)json_integer_value(json_array_get(list, (size_t)i));
+    late->known = distance >= 0;
+    return distance <= 0 || cut(&late->image, cutting->strip, cutting->request, cutting->base, distance);
+}
+
+static bool load_variant(Exam *exam, int c, int n, const Image *strip, json_t *entry) {
+    Variant *variant = &exam->variants[c][n];
+    int base, without, skeleton;
+    json_t *mistakes, *partials;
+    if (json_unpack(entry, "{s:i, s:i, s:i, s:o, s:o}", "frame", &base, "without", &without, "skeleton",
+                    &skeleton, "mistakes", &mistakes, "partials", &partials) != 0 ||
+        json_array_size(mistakes) != (size_t)exam->rubric->mistake_count)
+        return false;
+    const Cutting cutting = {strip, &variant->request, base};
+    bool ok = cut(&variant->reference, strip, &variant->request, base, 0) &&
+              cut(&variant->without, strip, &variant->request, base, without) &&
+              cut(&variant->skeleton, strip, &variant->request, base, skeleton);
+    for (int m = 0; ok && m < exam->rubric->mistake_count; m++)
+        ok = cut_late(&exam->mistakes[m][c][n], &cutting, mistakes, m);
+    for (int t = 0; ok && t < EXAM_MAX_TASKS; t++)
+        ok = cut_late(&exam->partials[t][c][n], &cutting, partials, t);
+    return ok;
+}
+
+static bool load_check(Exam *exam, int c, json_t *variants) {
+    char path[FILES_PATH];
+    Image strip = {0};
+    place_strip(path, exam->rubric->folder, exam->seed, c);
+    bool ok = image_read_png(&strip, path);
+    for (int n = 0; ok && n < exam->rubric->checks[c].variants; n++)
+        ok = load_variant(exam, c, n, &strip, json_array_get(variants, (size_t)n));
+    image_destroy(&strip);
+    return ok;
+}
+
+static bool restore(Exam *exam, const Rubric *rubric, uint64_t seed, json_t *checks) {
+    static int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    for (int c = 0; c < rubric->check_count; c++)
+        for (int n = 0; n < rubric->checks[c].variants; n++)
+            tries[c][n] = (int)json_integer_value(
+                json_object_get(json_array_get(json_array_get(checks, (size_t)c), (size_t)n), "try"));
+    return exam_restore(exam, rubric, seed, tries);
+}
+
+bool recorded_load(Exam *exam, const Rubric *rubric, uint64_t seed) {
+    char path[FILES_PATH];
+    place(path, rubric->folder, seed, ".json");
+    json_t *root = json_load_file(path, 0, NULL), *checks = json_object_get(root, "checks");
+    const char *renderer = json_string_value(json_object_get(root, "renderer"));
+    if (!root)
+        return check_fail("seed %llu is not recorded here: take one of those in grader/recorded/seeds.json",
+                          (unsigned long long)seed);
+    bool ok = renderer && json_array_size(checks) == (size_t)rubric->check_count &&
+              restore(exam, rubric, seed, checks);
+    for (int c = 0; ok && c < rubric->check_count; c++)
+        ok = load_check(exam, c, json_array_get(checks, (size_t)c));
+    if (ok)
+        snprintf(exam->renderer, sizeof exam->renderer, "%s", renderer);
+    else
+        exam_destroy(exam);
+    json_decref(root);
+    return ok || check_fail("%s and its pictures do not fit the rubric", path);
+}

@@ -1,0 +1,25 @@
+// Exams in files: what our labs draw for some seeds, so that a copy of the project without solutions (the
+// student's kit) grades all the same. They lie in ROOT/grader/recorded: seeds.json, and for each lab a folder
+// like that of its solution, but with frames instead of the answers, and
+// labs/ as it was handed out.
+#pragma once
+
+#include "exam/exam.h"
+
+#include <stdbool.h>
+
+// Is this copy of the project without solutions?
+bool recorded_only(void);
+
+// A seed that nobody can foresee; where there are no solutions, one of those recorded. False with a message.
+bool recorded_draw_seed(uint64_t *seed);
+
+// Is this the name of a file that students get with the lab?
+bool recorded_is_handed_out(const Rubric *rubric, const char *name);
+
+// Writes the exam with all that exam_mistake and exam_partial can be asked for to folder/exam-SEED.json and
+// folder/exam-SEED-CHECK.png. False with a message.
+bool recorded_save(Exam *exam, const char *folder);
+
+// Reads the exam of the seed from the rubric's folder. False with a message.
+bool recorded_load(Exam *exam, const Rubric *rubric, uint64_t seed);

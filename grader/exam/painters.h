@@ -1,0 +1,34 @@
+// Everything of ours that draws for one lab: the solution, the skeleton, the solution without one task, with
+// one mistake. Each is built when it is first asked for; all of them draw in one worker process.
+#pragma once
+
+#include "exam/worker_client.h"
+#include "compile/rubric.h"
+
+#include <stdbool.h>
+
+enum { ROSTER_MAX = 96 };
+
+typedef struct Painter {
+    Solved solved;
+    const Change *change; // NULL: none
+    char folder[FILES_PATH];
+} Painter;
+
+typedef struct Roster {
+    const Rubric *rubric;
+    ContextKind context;
+    Client client; // the worker
+    Painter *painters[ROSTER_MAX];
+    int count;
+} Roster;
+
+// The lab with these tasks solved and this change, ready to draw. NULL with a message when it cannot be
+// built.
+const Painter *roster_get(Roster *roster, Solved solved, const Change *change);
+
+// Draws with one of ours. False with a message when the worker is lost: a fault of ours. A lab that says why
+// it drew nothing counts as black.
+bool roster_draw(Roster *roster, const Painter *painter, const Request *request, Image *image, Reply *reply);
+
+void roster_destroy(Roster *roster); // accepts a zeroed roster

@@ -1,0 +1,159 @@
+#include "exam/worker_client.h"
+
+#include "scene/check.h"
+#include "compile/compiler.h"
+#include "protocol/description.h"
+#include "base/places.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/wait.h>
+
+enum { MEMORY_MIB = 2048 };
+
+#if defined(__SANITIZE_ADDRESS__)
+static const bool limits_memory = false; // the sanitizer reserves terabytes of addresses
+#else
+static const bool limits_memory = true;
+#endif
+
+static double wall_seconds(const Client *client) {
+    return client->seconds * (client->patience > 0 ? client->patience : 1);
+}
+
+bool client_start(Client *client) {
+    char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
+    if (client->program) // of ours, and outside
+        home_build_path(worker, client->program);
+    else
+        jail_part(client->jail, "worker", worker);
+    jail_part(client->jail, "shaders", shaders);
+    home_build_path(cache, "cache/shaders");
+    snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
+    bool ours = client->trust == TRUST_OURS;
+    char *arguments[] = {worker, (char *)context_name(client->context), client->folder, shaders, NULL};
+    char *environment[] = {"LP_NUM_THREADS=0",
+                           "LIBGL_ALWAYS_SOFTWARE=1",
+                           "ASAN_OPTIONS=detect_leaks=0:disable_coredump=0",
+                           "MALLOC_MMAP_THRESHOLD_=1000000000",
+                           "MALLOC_TRIM_THRESHOLD_=1000000000",
+                           "LC_ALL=C",
+                           ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true",
+                           client->quick_shaders ? "GALLIVM_PERF=nopt" : NULL,
+                           NULL};
+    JailPlan plan = {
+        .kind = JAIL_DRAW, .limits = {.wall_seconds = 3600}, .folder = ours ? "/" : client->folder};
+    if (client->each_turn)
+        plan.limits = (ProcessLimits){.wall_seconds = client->seconds,
+                                      .memory_mib = !ours && limits_memory ? MEMORY_MIB : 0,
+                                      .file_mib = ours ? 0 : 1};
+    else if (!ours)
+        plan.limits = (ProcessLimits){.wall_seconds = wall_seconds(client),
+                                      .cpu_seconds = (unsigned)client->seconds + 1,
+                                      .memory_mib = limits_memory ? MEMORY_MIB : 0,
+                                      .file_mib = 1};
+    client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
+    return client->started;
+}
+
+// SIGXCPU can be ignored; a second later the kernel kills.
+static bool used_up_its_time(const Client *client) {
+    const Process *process = &client->process;
+    int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
+    return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
+           (number == SIGKILL && !client->each_turn && process->cpu_seconds >= client->seconds);
+}
+
+static DrawResult explain_end(const Client *client, char *text, size_t size) {
+    const Process *process = &client->process;
+    int status = process->status;
+    text[0] = '\0';
+    if (process->state == PROCESS_FLOODED) {
+        check_append(text, size, "it printed more than %d MiB and was stopped",
+                     PROCESS_FLOOD / (1024 * 1024));
+        return DRAW_LOST;
+    }
+    if (used_up_its_time(client)) {
+        check_append(text, size, "it was stopped after %.0f s: is there an endless loop?", client->seconds);
+        return DRAW_TIMEOUT;
+    }
+    if (!WIFSIGNALED(status)) {
+        check_append(text, size,
+                     "it ended by itself with exit status %d before the frame was drawn; lab.c must return",
+                     WEXITSTATUS(status));
+        return DRAW_LOST;
+    }
+    check_append(text, size, "it crashed: %s (%s)", strsignal(WTERMSIG(status)),
+                 sigabbrev_np(WTERMSIG(status)));
+    const char *place =
+        strstr(process->text, "in "); // report_crash of the worker, after what the lab printed
+    while (place && strstr(place + 1, "in "))
+        place = strstr(place + 1, "in ");
+    if (place)
+        check_append(text, size, " %.300s", place);
+    if (process->peak_mib > MEMORY_MIB / 2)
+        check_append(text, size, "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib,
+                     MEMORY_MIB);
+    return DRAW_LOST;
+}
+
+// All of it is the submission's to write.
+static void clean_reply(Reply *reply) {
+    reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
+    for (int i = 0; i < LAB_MAX_PASSES; i++)
+        if (!(reply->milliseconds[i] >= 0 && reply->milliseconds[i] < 1e9f))
+            reply->milliseconds[i] = 0;
+}
+
+// The reply and exactly `size` bytes of payload; zeroes when they do not come.
+static DrawResult exchange(Client *client, const Request *request, void *payload, size_t size, Reply *reply) {
+    memset(reply, 0, sizeof *reply);
+    Process *process = &client->process;
+    bool ok = (client->started || client_start(client)) &&
+              process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
+              process_exchange(process, NULL, 0, payload, size);
+    clean_reply(reply);
+    DrawResult result = reply->drawn ? DRAW_OK : DRAW_FAILED;
+    if (ok && reply->magic != PROTOCOL_MAGIC) {
+        snprintf(reply->message, sizeof reply->message,
+                 "it wrote something else than a frame to descriptor 3");
+        result = DRAW_LOST;
+    } else if (!ok) {
+        memset(payload, 0, size);
+        result = explain_end(client, reply->message, sizeof reply->message);
+    }
+    if (reply->message[0])
+        compile_locate(client->trust == TRUST_OURS ? request->folder : client->folder, client->jail,
+                       reply->message, sizeof reply->message);
+    return result;
+}
+
+DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply) {
+    if (image->width != request->width || image->height != request->height) {
+        image_destroy(image);
+        INVARIANT(image_create(image, request->width, request->height));
+    }
+    return exchange(client, request, image->rgba, image_bytes(image), reply);
+}
+
+DrawResult client_describe(Client *client, const Request *request, Description *description, Reply *reply) {
+    Request asked = *request;
+    asked.describe = 1;
+    DrawResult result = exchange(client, &asked, description, sizeof *description, reply);
+    if (result != DRAW_OK)
+        memset(description, 0, sizeof *description);
+    description_clean(description);
+    return result;
+}
+
+void client_begin(Client *client) {
+    if (client->started && (client->trust == TRUST_NOBODY || client->each_turn))
+        client->process.deadline = process_now() + wall_seconds(client);
+}
+
+void client_stop(Client *client) {
+    if (client->started)
+        process_stop(&client->process);
+    client->started = false;
+}

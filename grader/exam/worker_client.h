@@ -1,0 +1,51 @@
+// Our end of a worker process: one lab, asked for frames.
+#pragma once
+
+#include "scene/context_kind.h"
+#include "base/files.h"
+#include "scene/image.h"
+#include "jail/jail.h"
+#include "base/process.h"
+#include "protocol/protocol.h"
+
+#include <stdbool.h>
+
+typedef enum Trust {
+    TRUST_OURS,  // a solution: no limits, compiled shaders are kept between runs
+    TRUST_NOBODY // a submission: limits on time and memory, nothing shared, and the jail
+} Trust;
+
+typedef struct Client {
+    char folder[FILES_PATH]; // holds lab.so and the lab's shaders; "-" for a worker of several labs of ours
+    Trust trust;
+    const Jail *jail; // for a submission; NULL: its own author grades it, outside
+    ContextKind context;
+    const char *program; // beside ours, that speaks protocol.h; NULL: the worker
+    bool quick_shaders;  // compiled sooner and worse: for frames that are few and small; the same pixels
+    double seconds;      // processor time that a submission may use
+    double patience;     // wall time that it may use, in units of that; 0: 1
+    bool each_turn; // `seconds` is wall time and begins anew with client_begin, whoever draws: for a window
+    bool started;
+    Process process;
+} Client;
+
+typedef enum DrawResult {
+    DRAW_OK,     // the picture is there
+    DRAW_FAILED, // the lab said why not: reply->message
+    DRAW_LOST,   // the process is gone: reply->message says how
+    DRAW_TIMEOUT // the same, because it used up its time
+} DrawResult;
+
+// Draws one frame; starts the worker first when it does not run. A lost worker stays lost. `image` is created
+// at the size of the request when it has another one. A worker of several labs looks at request->folder.
+DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply);
+
+// The lab's table, made safe (see Description); all zero unless the result is DRAW_OK.
+DrawResult client_describe(Client *client, const Request *request, Description *description, Reply *reply);
+
+// Starts the worker without waiting for it, so that several start side by side. False: no process can be
+// started.
+bool client_start(Client *client);
+// The wall time of a running worker begins anew: what has passed was spent by us, or on earlier turns.
+void client_begin(Client *client);
+void client_stop(Client *client); // accepts a zeroed client

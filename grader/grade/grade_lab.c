@@ -1,0 +1,229 @@
+#include "grade/grade_lab.h"
+
+#include "scene/check.h"
+#include "compile/lab_folder.h"
+#include "diagnose/diagnose.h"
+#include "exam/exam_file.h"
+#include "diagnose/evidence.h"
+#include "score/score.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const double PASSED_SHARE = 0.95; // of a check's points
+
+static void add_warning(LabResult *result, const char *text) {
+    char clean[RESULT_TEXT];
+    result_clean(clean, sizeof clean, text);
+    if (!strstr(result->warnings, clean))
+        check_append(result->warnings, sizeof result->warnings, "%s%s", result->warnings[0] ? "\n" : "",
+                     clean);
+}
+
+void grade_begin(LabResult *result, const Rubric *rubric) {
+    memset(result, 0, sizeof *result);
+    memcpy(result->id, rubric->id, sizeof result->id);
+    snprintf(result->name, sizeof result->name, "%s", rubric->title);
+    result->max_score = rubric_points(rubric);
+    result->check_count = rubric->check_count;
+    for (int c = 0; c < rubric->check_count; c++)
+        result->checks[c] = (CheckResult){.check = &rubric->checks[c], .error = 1};
+}
+
+static void fail_lab(LabResult *result, LabStatus status, const char *message) {
+    if (result->message[0])
+        return;
+    result->status = status;
+    result_clean(result->message, sizeof result->message, message);
+}
+
+void grade_refuse(LabResult *result, const char *reason) {
+    fail_lab(result, LAB_ERROR, reason);
+}
+
+static void score_check(CheckResult *check, const Variant *variants) {
+    check->share = 1;
+    check->error = 0;
+    for (int n = 0; n < check->check->variants; n++) {
+        FrameScore score = {.inside = 1};
+        if (check->yours[n].rgba)
+            score = score_frame(&check->yours[n], &variants[n].reference, &variants[n].without,
+                                &variants[n].skeleton);
+        if (score.inside + score.outside > check->error || n == 0) {
+            check->share = score.share;
+            check->error = score.inside + score.outside;
+            check->worst = n;
+        }
+    }
+    check->passed = check->share >= PASSED_SHARE;
+}
+
+static int by_value(const void *a, const void *b) {
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+typedef struct Ratios {
+    float values[RUBRIC_MAX_CHECKS];
+    int count;
+} Ratios;
+
+// Draws one frame of the student's; false when no more frames will come.
+static bool draw_one(LabResult *result, Client *student, const Variant *variant, Image *yours,
+                     float *milliseconds) {
+    static Reply reply;
+    DrawResult drawn = client_draw(student, &variant->request, yours, &reply);
+    if (drawn == DRAW_OK) {
+        if (reply.message[0])
+            add_warning(result, reply.message);
+        if (score_not_finite(yours))
+            add_warning(result, score_not_finite(yours));
+        *milliseconds = exam_milliseconds(&reply);
+        return true;
+    }
+    image_destroy(yours);
+    fail_lab(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply.message);
+    return drawn == DRAW_FAILED;
+}
+
+// The first frame of a check pays for what the driver compiles late: the last one is compared. What the
+// solution takes is measured once an exam.
+static float solution_milliseconds(Exam *exam, int c) {
+    static Reply reply;
+    Image again = {0};
+    const Variant *variant = &exam->variants[c][exam->rubric->checks[c].variants - 1];
+    const Painter *solution =
+        exam->milliseconds[c] > 0 ? NULL : roster_get(exam->roster, (Solved){SOLVED_ALL, NULL}, NULL);
+    bool ok = solution != NULL;
+    for (int i = 0; ok && i < 2; i++) // the student's worker has just drawn a frame of this size, too
+        ok = roster_draw(exam->roster, solution, &variant->request, &again, &reply);
+    if (ok)
+        exam->milliseconds[c] = exam_milliseconds(&reply);
+    image_destroy(&again);
+    return exam->milliseconds[c];
+}
+
+static void add_ratio(Ratios *ratios, float milliseconds, Exam *exam, int c) {
+    float ours = milliseconds > 0 ? solution_milliseconds(exam, c) : 0;
+    if (ours > 0)
+        ratios->values[ratios->count++] = milliseconds / ours;
+}
+
+// Points of the optional checks that were left as they were.
+static double points_left(const LabResult *result, const Exam *exam) {
+    double points = 0;
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        if (check->check->optional && result_touch(check, exam->variants[c]) != TOUCH_CHANGED)
+            points += check->check->points;
+    }
+    return points;
+}
+
+void grade_pictures(LabResult *result, const Exam *exam) {
+    for (int c = 0; c < result->check_count; c++) {
+        score_check(&result->checks[c], exam->variants[c]);
+        result->score += result_points(&result->checks[c]);
+    }
+    bool passed =
+        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
+    if (!result->message[0])
+        result->status = passed ? LAB_PASSED : LAB_FAILED;
+}
+
+void grade_frames(LabResult *result, Exam *exam, Client *student, bool timed) {
+    Ratios ratios = {0};
+    bool alive = true;
+    for (int c = 0; c < result->check_count; c++) {
+        CheckResult *check = &result->checks[c];
+        float milliseconds = 0;
+        for (int n = 0; alive && n < check->check->variants; n++)
+            alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &milliseconds);
+        if (timed)
+            add_ratio(&ratios, milliseconds, exam, c);
+    }
+    qsort(ratios.values, (size_t)ratios.count, sizeof ratios.values[0], by_value);
+    result->speed_ratio = ratios.count > 0 ? ratios.values[ratios.count / 2] : 0;
+    grade_pictures(result, exam);
+}
+
+typedef struct Ignored {
+    const Rubric *rubric;
+    LabResult *result;
+    int count;
+} Ignored;
+
+static void note_ignored(const char *name, void *context) {
+    Ignored *ignored = context;
+    for (int i = 0; i < ignored->rubric->file_count; i++)
+        if (strcmp(ignored->rubric->files[i], name) == 0)
+            return;
+    if (recorded_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
+        return;
+    char text[400];
+    snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
+    add_warning(ignored->result, text);
+}
+
+static bool take_submission(LabResult *result, Client *student, const Rubric *rubric,
+                            const char *submission) {
+    static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
+    check_clear();
+    Ignored ignored = {rubric, result, 0};
+    bool ok = files_is_folder(submission) && files_list(submission, note_ignored, &ignored) &&
+              derive_submission(student->folder, rubric, submission, student->jail, log);
+    if (!ok) {
+        snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
+        fail_lab(result, LAB_ERROR, text);
+    } else if (log[0]) {
+        add_warning(result, log);
+    }
+    check_clear();
+    return ok;
+}
+
+// What the lab prints, for who debugs in this way; the first lines are enough.
+static void note_output(LabResult *result, const char *printed) {
+    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
+    char text[MAX_TEXT + 64] = "it printed:";
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+        end += strcspn(end, "\n");
+        end += *end == '\n';
+    }
+    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
+    if (printed[0])
+        add_warning(result, text);
+}
+
+static bool examine(LabResult *result, Examiner *examiner, Client *student, const GradeOptions *options) {
+    client_start(student);
+    Exam *exam = examiner_exam(examiner, options);
+    if (!exam)
+        return false;
+    client_begin(student);
+    grade_frames(result, exam, student, exam->roster && !options->untimed);
+    note_output(result, student->process.text);
+    return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
+}
+
+bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options) {
+    static Client student;
+    student = (Client){.trust = TRUST_NOBODY,
+                       .jail = options->jail,
+                       .context = options->context,
+                       .quick_shaders = true,
+                       .seconds = options->seconds,
+                       .patience = options->patience};
+    grade_begin(result, &examiner->rubric);
+    if (!files_make_temporary(student.folder))
+        return false;
+    bool ok = true;
+    if (take_submission(result, &student, &examiner->rubric, submission))
+        ok = examine(result, examiner, &student, options);
+    client_stop(&student);
+    files_remove(student.folder);
+    return ok;
+}

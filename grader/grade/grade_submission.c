@@ -1,0 +1,116 @@
+#include "grade/grade_submission.h"
+
+#include "scene/check.h"
+#include "base/places.h"
+#include "intake/submission.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct Adding {
+    Session *session;
+    bool ok;
+} Adding;
+
+static void add_lab(const char *id, void *context) {
+    Adding *adding = context;
+    Session *session = adding->session;
+    if (!adding->ok)
+        return;
+    if (session->lab_count == RESULT_MAX_LABS) {
+        adding->ok = check_fail("more than %d labs at once", RESULT_MAX_LABS);
+        return;
+    }
+    adding->ok = examiner_open(&session->examiners[session->lab_count], id);
+    session->lab_count += adding->ok;
+}
+
+bool session_add(Session *session, const char *id) {
+    Adding adding = {session, true};
+    if (id)
+        add_lab(id, &adding);
+    else if (!home_list_labs(add_lab, &adding))
+        return false;
+    return adding.ok;
+}
+
+static bool begin_report(Session *session, Report *report) {
+    const Jail *jail = session->options.jail;
+    *report = (Report){.seed = session->options.seed,
+                       .jail = jail_route_name(jail ? jail->route : JAIL_NONE),
+                       .context = context_name(session->options.context),
+                       .labs = calloc(RESULT_MAX_LABS, sizeof *report->labs)};
+    return report->labs || check_fail("out of memory");
+}
+
+static void name_missing(const Submission *submission, const Rubric *rubric, char *text, size_t size) {
+    if (submission->single && !submission->single_id[0])
+        snprintf(text, size, "there is a lab.c, but no folder's name tells of which lab: put it into %s/",
+                 strrchr(rubric->folder, '/') + 1);
+    else
+        snprintf(text, size, "not handed in: there is no folder %s (a link is none)",
+                 strrchr(rubric->folder, '/') + 1);
+}
+
+static bool grade_one(Session *session, const Submission *submission, int i, Report *report) {
+    Examiner *examiner = &session->examiners[i];
+    char theirs[FILES_PATH], text[400];
+    bool found = submission_find(submission, examiner->rubric.id, theirs), ok = true;
+    check_clear();
+    if (!found && submission->single && !session->complete)
+        return true;
+    LabResult *result = &report->labs[report->lab_count++];
+    if (found) {
+        ok = grade_lab(result, examiner, theirs, &session->options);
+    } else {
+        name_missing(submission, &examiner->rubric, text, sizeof text);
+        grade_begin(result, &examiner->rubric);
+        grade_refuse(result, text);
+    }
+    if (ok && result_was_drawn(result)) // whatever the exam was drawn for before
+        memcpy(report->renderer, examiner->exam->renderer, sizeof report->renderer);
+    if (!session->keep)
+        examiner_forget(examiner);
+    else if (session->lab_count > 1)
+        examiner_rest(examiner);
+    return ok;
+}
+
+bool session_grade(Session *session, const char *folder, Report *report) {
+    Submission submission;
+    double start = process_now();
+    bool ok = begin_report(session, report) && submission_open(&submission, folder);
+    if (ok && submission.single && session->lab_count == 1)
+        memcpy(submission.single_id, session->examiners[0].rubric.id, sizeof submission.single_id);
+    for (int i = 0; ok && i < session->lab_count; i++)
+        ok = grade_one(session, &submission, i, report);
+    report->seconds = process_now() - start;
+    if (!ok)
+        session_free(report);
+    return ok;
+}
+
+bool session_refuse(Session *session, const char *reason, Report *report) {
+    if (!begin_report(session, report))
+        return false;
+    for (int i = 0; i < session->lab_count; i++) {
+        LabResult *result = &report->labs[report->lab_count++];
+        grade_begin(result, &session->examiners[i].rubric);
+        grade_refuse(result, reason);
+    }
+    return true;
+}
+
+void session_free(Report *report) {
+    for (int i = 0; i < report->lab_count; i++)
+        result_destroy_lab(&report->labs[i]);
+    free(report->labs);
+    *report = (Report){0};
+}
+
+void session_close(Session *session) {
+    for (int i = 0; i < session->lab_count; i++)
+        examiner_close(&session->examiners[i]);
+    session->lab_count = 0;
+}

@@ -1,0 +1,28 @@
+// Grades submissions one after the other, with the same labs, seed and limits.
+#pragma once
+
+#include "grade/grade_lab.h"
+
+#include <stdbool.h>
+
+typedef struct Session {
+    GradeOptions options;
+    bool keep;     // exams from one submission to the next; else each is freed when its lab is done
+    bool complete; // labs that were not handed in are in the report, too, also of a folder of one lab
+    int lab_count;
+    Examiner examiners[RESULT_MAX_LABS];
+} Session;
+
+// Adds the lab "03"; with NULL all labs. False with a message.
+bool session_add(Session *session, const char *id);
+
+// Grades a folder (see submission.h). With one lab, a folder of one lab is graded as that; with several, as
+// the one that its name says. The report must be freed by session_free. False with a message: a fault of
+// ours, and no report.
+bool session_grade(Session *session, const char *folder, Report *report);
+
+// A report that says of each lab that nothing could be graded, for this reason.
+bool session_refuse(Session *session, const char *reason, Report *report);
+
+void session_free(Report *report);    // accepts a zeroed report
+void session_close(Session *session); // accepts a zeroed session

@@ -1,0 +1,15 @@
+// The command line that leads into the jail.
+#pragma once
+
+#include "jail/plan.h"
+
+enum { COMMAND_MAX = 160 };
+
+typedef struct Command {
+    char *arguments[COMMAND_MAX]; // ends with NULL; borrows the strings that it was made from
+    int count;
+    char shim[FILES_PATH], links[4][64];
+} Command;
+
+// Writes the command line that runs `arguments` in the jail as `plan` says.
+void command_make(Command *command, const Jail *jail, const JailPlan *plan, char *const *arguments);

@@ -1,0 +1,33 @@
+// Builds an HTML page that needs no other file and no network.
+#pragma once
+
+#include "scene/image.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+typedef struct Page {
+    FILE *out; // for markup of our own; everything else goes through page_text
+    char *text;
+    size_t size;
+} Page;
+
+// Begins the page up to <main>, with the style of page.css. False with a message.
+bool page_begin(Page *page, const char *title);
+
+// Ends the page with the script of page.js; the caller frees the text. NULL with a message.
+char *page_end(Page *page);
+
+// Writes text, escaped for element content and for attributes in double quotes.
+void page_text(Page *page, const char *text);
+
+// Writes a data: URI with the bytes; `type` is "image/png".
+void page_data(Page *page, const char *type, const void *bytes, size_t size);
+
+// Writes an <img> with the picture as a data: URI. `description` is its alt text.
+void page_picture(Page *page, const Image *image, const char *class_name, const char *description);
+
+// Writes the bytes in base64 (RFC 4648), padded.
+void page_base64(FILE *out, const uint8_t *bytes, size_t size);

@@ -1,0 +1,290 @@
+// prove [--lab NN]... [--seeds N] [--context C]: proves a rubric. Over N seeds it draws, for each lab, the
+// solution, the skeleton, the lab solved up to each task, each catalogued mistake and each alternative,
+// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 1 when one
+// of them is not graded as it should be: solution and alternatives 100 %, skeleton 0 on every check, no task
+// takes points away, mistakes below the pass mark and named correctly. `N passed, N failed` counts rows.
+#include "scene/check.h"
+#include "grade/grade_lab.h"
+#include "diagnose/diagnose.h"
+#include "base/places.h"
+#include "score/score.h"
+
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_SEEDS = 100 };
+
+typedef enum Kind { KIND_SOLUTION, KIND_SKELETON, KIND_PARTIAL, KIND_MISTAKE, KIND_ALTERNATIVE } Kind;
+
+typedef struct Row {
+    Kind kind;
+    int number; // of the task or of the mistake in the rubric
+    Solved solved;
+    const Change *change;
+    const struct Row *before; // of a partial solution: the one with a task less
+    double percent;           // of the last run
+    double lowest, highest;   // percent
+    int right, seeds;         // runs graded as they should be
+    Client contender;         // a worker of its own, kept over the seeds
+    char other[128];          // a diagnosis that was not the mistake's name, or a check that went wrong
+} Row;
+
+typedef struct Proof {
+    int seeds, passed, failed;
+    ContextKind context;
+    bool broken; // a fault of ours
+} Proof;
+
+static void note(Row *row, const char *text) {
+    if (!row->other[0])
+        snprintf(row->other, sizeof row->other, "%.120s", text);
+}
+
+// Is the mistake named in a failed check, and nothing else in any?
+static bool named_right(const LabResult *result, Row *row) {
+    bool named = false;
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        if (check->passed)
+            continue;
+        if (strcmp(check->mistake, row->change->name) != 0) {
+            note(row, check->has_cause ? check->mistake : result->message);
+            return false;
+        }
+        named = true;
+    }
+    return named;
+}
+
+static bool all_zero(const LabResult *result, Row *row) {
+    for (int c = 0; c < result->check_count; c++)
+        if (result->checks[c].share > 0) {
+            note(row, result->checks[c].check->name);
+            return false;
+        }
+    return true;
+}
+
+static bool all_full(const LabResult *result, Row *row) {
+    for (int c = 0; c < result->check_count; c++)
+        if (result->checks[c].share < 1) {
+            note(row, result->checks[c].check->name);
+            return false;
+        }
+    if (result->message[0] || result->warnings[0])
+        note(row, result->message[0] ? result->message : result->warnings);
+    return !result->message[0] && !result->warnings[0];
+}
+
+static bool judge(const LabResult *result, Row *row, const Rubric *rubric) {
+    switch (row->kind) {
+    case KIND_SKELETON:
+        return all_zero(result, row);
+    case KIND_PARTIAL:
+        return row->percent >= row->before->percent - 1e-9;
+    case KIND_MISTAKE:
+        return named_right(result, row) && result->score < rubric->pass_mark / 100 * result->max_score;
+    default:
+        return all_full(result, row);
+    }
+}
+
+static const Image *ours(const Row *row, Exam *exam, int c, int n) {
+    const Variant *variant = &exam->variants[c][n];
+    if (row->kind == KIND_SKELETON)
+        return &variant->skeleton;
+    bool mistake = row->kind == KIND_MISTAKE;
+    const Image *image =
+        mistake ? exam_mistake(exam, row->number, c, n) : exam_partial(exam, row->number, c, n);
+    const LatePicture *late =
+        mistake ? &exam->mistakes[row->number][c][n] : &exam->partials[row->number][c][n];
+    return image && late->drawn ? image : NULL;
+}
+
+// Skeletons, partial solutions and mistakes are drawn for the diagnosis, too. Those frames are taken as the
+// row's. False when one of them was not drawn: then the row's own worker has to say why.
+static bool share_frames(LabResult *result, const Row *row, Exam *exam) {
+    if (row->kind != KIND_SKELETON && row->kind != KIND_PARTIAL && row->kind != KIND_MISTAKE)
+        return false;
+    for (int c = 0; c < result->check_count; c++)
+        for (int n = 0; n < result->checks[c].check->variants; n++) {
+            const Image *image = ours(row, exam, c, n);
+            if (!image || !image_copy(&result->checks[c].yours[n], image))
+                return false;
+        }
+    return true;
+}
+
+// A worker that draws for one lab only and compiles its shaders well, and the one that draws for all of ours
+// must show the same.
+static bool draws_the_same(const LabResult *result, Row *row, Exam *exam) {
+    static LabResult shared;
+    grade_begin(&shared, exam->rubric);
+    bool same = true;
+    if (share_frames(&shared, row, exam))
+        for (int c = 0; same && c < shared.check_count; c++)
+            for (int n = 0; same && n < shared.checks[c].check->variants; n++) {
+                const Image *own = &result->checks[c].yours[n], *other = &shared.checks[c].yours[n];
+                same = own->rgba && memcmp(own->rgba, other->rgba, image_bytes(own)) == 0;
+            }
+    result_destroy_lab(&shared);
+    if (!same)
+        note(row, "another picture in a worker of its own");
+    return same;
+}
+
+static void draw_row(LabResult *result, Row *row, const Painter *painter, Exam *exam) {
+    row->contender.trust = TRUST_OURS;
+    row->contender.context = exam->roster->context;
+    memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
+    grade_begin(result, exam->rubric);
+    grade_frames(result, exam, &row->contender, false);
+}
+
+// Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from
+// the second seed on.
+static bool run_row(Row *row, Exam *exam, Roster *roster) {
+    static LabResult result;
+    const Painter *painter = roster_get(roster, row->solved, row->change);
+    if (!painter)
+        return false;
+    bool first = row->seeds == 0, same = true;
+    grade_begin(&result, exam->rubric);
+    if (!first && share_frames(&result, row, exam)) {
+        grade_pictures(&result, exam);
+    } else {
+        result_destroy_lab(&result);
+        draw_row(&result, row, painter, exam);
+        same = draws_the_same(&result, row, exam);
+    }
+    bool ok = diagnose(&result, exam);
+    double percent = row->percent = 100 * result.score / result.max_score;
+    if (first || percent < row->lowest)
+        row->lowest = percent;
+    if (first || percent > row->highest)
+        row->highest = percent;
+    row->seeds++;
+    row->right += ok && same && judge(&result, row, exam->rubric);
+    result_destroy_lab(&result);
+    return ok;
+}
+
+// One row a task that a check is about, solved up to it.
+static int list_partials(Row *rows, int count, const Rubric *rubric) {
+    for (int n = 1; n < 20; n++) {
+        const char *task = rubric_task(rubric, n);
+        if (task)
+            rows[count] = (Row){.kind = KIND_PARTIAL,
+                                .solved = {SOLVED_UP_TO, task},
+                                .number = n,
+                                .before = &rows[count - 1]};
+        count += task != NULL;
+    }
+    return count;
+}
+
+static int list_rows(Row *rows, const Rubric *rubric) {
+    int count = 0;
+    rows[count++] = (Row){.kind = KIND_SOLUTION};
+    rows[count++] = (Row){.kind = KIND_SKELETON, .solved = {SOLVED_NONE, NULL}};
+    count = list_partials(rows, count, rubric);
+    for (int i = 0; i < rubric->mistake_count; i++)
+        rows[count++] = (Row){.kind = KIND_MISTAKE, .change = &rubric->mistakes[i], .number = i};
+    for (int i = 0; i < rubric->alternative_count; i++)
+        rows[count++] = (Row){.kind = KIND_ALTERNATIVE, .change = &rubric->alternatives[i]};
+    return count;
+}
+
+static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof) {
+    static const char *const kinds[] = {"solution", "skeleton", "up to", "mistake", "alternative"};
+    for (int i = 0; i < count; i++) {
+        const Row *row = &rows[i];
+        bool right = row->seeds == proof->seeds && row->right == row->seeds;
+        proof->passed += right;
+        proof->failed += !right;
+        client_stop(&rows[i].contender);
+        printf("| %s | %s | %s | %.0f | %.0f | %s%s%s |\n", rubric->id, kinds[row->kind],
+               row->change        ? row->change->name
+               : row->solved.task ? row->solved.task
+                                  : "",
+               row->lowest, row->highest,
+               right ? (row->kind == KIND_MISTAKE ? "named" : "as it should be") : "WRONG: ",
+               right                       ? ""
+               : row->other[0]             ? row->other
+               : row->seeds < proof->seeds ? "not drawn"
+                                           : "not below the pass mark",
+               "");
+    }
+}
+
+static bool prove_seeds(const Rubric *rubric, Proof *proof, Row *rows, int count, Roster *roster) {
+    Exam *exam = calloc(1, sizeof *exam);
+    bool ok = exam != NULL;
+    for (int seed = 1; ok && seed <= proof->seeds; seed++) {
+        ok = exam_create(exam, rubric, roster, (uint64_t)seed);
+        for (int i = 0; ok && i < count; i++)
+            ok = run_row(&rows[i], exam, roster);
+        if (ok)
+            exam_destroy(exam);
+    }
+    free(exam);
+    return ok;
+}
+
+static void prove_lab(const char *id, void *context) {
+    Proof *proof = context;
+    static Row rows[128];
+    char folder[FILES_PATH];
+    Rubric rubric = {0};
+    if (proof->broken)
+        return;
+    bool ok = (home_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) &&
+              rubric_load(&rubric, folder);
+    Roster roster = {.rubric = &rubric, .context = proof->context};
+    if (ok) {
+        int count = list_rows(rows, &rubric);
+        ok = prove_seeds(&rubric, proof, rows, count, &roster);
+        print_rows(rows, count, &rubric, proof);
+    }
+    roster_destroy(&roster);
+    rubric_destroy(&rubric);
+    proof->broken = !ok;
+}
+
+int main(int count, char **arguments) {
+    static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
+                                          {"seeds", required_argument, NULL, 's'},
+                                          {"context", required_argument, NULL, 'c'},
+                                          {0}};
+    Proof proof = {.seeds = 10};
+    const char *labs[RESULT_MAX_LABS];
+    int lab_count = 0;
+    bool ok = true;
+    for (int option; ok && (option = getopt_long(count, arguments, "", table, NULL)) != -1;) {
+        ok = option != '?' && (option != 'c' || context_parse(&proof.context, optarg));
+        if (option == 's')
+            proof.seeds = atoi(optarg);
+        if (option == 'l' && lab_count < RESULT_MAX_LABS)
+            labs[lab_count++] = optarg;
+    }
+    if (!ok || optind != count || proof.seeds < 1 || proof.seeds > MAX_SEEDS) {
+        fprintf(stderr, "usage: build/prove [--lab NN]... [--seeds 1..%d] [--context osmesa|egl]\n",
+                MAX_SEEDS);
+        return 2;
+    }
+    signal(SIGPIPE, SIG_IGN);
+    printf(
+        "| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
+        proof.seeds);
+    if (lab_count == 0)
+        home_list_labs(prove_lab, &proof);
+    for (int i = 0; i < lab_count; i++)
+        prove_lab(labs[i], &proof);
+    if (proof.broken)
+        fprintf(stderr, "prove: %s\n", check_message());
+    printf("%d passed, %d failed\n", proof.passed, proof.failed + proof.broken);
+    return proof.broken || proof.failed ? 1 : 0;
+}

@@ -1,0 +1,51 @@
+// scenes: what each lab's scenes are made of, and how much the graded views need it; prints a table
+// (Markdown, for grader/README.md).
+#include "scene/check.h"
+#include "proof/scene_needs.h"
+#include "base/places.h"
+
+#include <signal.h>
+#include <stdio.h>
+
+enum { SEEDS = 4 };
+
+typedef struct Table {
+    Client worker; // draws all labs
+    bool broken;
+} Table;
+
+static void print_row(const char *id, const Economy *economy) {
+    char text[ECONOMY_TEXT];
+    economy_describe(text, id, economy);
+    printf("%s %.1f |\n", text, 100 * economy_least(economy));
+}
+
+static void print_lab(const char *id, void *context) {
+    Table *table = context;
+    static Economy economies[ECONOMY_MAX_SCENES];
+    char folder[FILES_PATH];
+    Rubric rubric = {0};
+    int count = table->broken || !home_find_lab(folder, id) || !rubric_load(&rubric, folder)
+                    ? -1
+                    : economy_measure(economies, &rubric, &table->worker, SEEDS, 2);
+    table->broken = count < 0;
+    for (int i = 0; i < count; i++)
+        print_row(id, &economies[i]);
+    rubric_destroy(&rubric);
+}
+
+int main(int count, char **arguments) {
+    Table table = {0};
+    signal(SIGPIPE, SIG_IGN);
+    if (count != 1) {
+        fprintf(stderr, "usage: %s\n", arguments[0]);
+        return 2;
+    }
+    printf("| lab | scene | planes | boxes | spheres | triangles | least need, %% |\n");
+    printf("|---|---|---|---|---|---|---|\n");
+    home_list_labs(print_lab, &table);
+    client_stop(&table.worker);
+    if (table.broken)
+        fprintf(stderr, "scenes: %s\n", check_message());
+    return table.broken ? 1 : 0;
+}

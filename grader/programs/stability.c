@@ -1,0 +1,148 @@
+// stability: where each method breaks. Runs the rows, prints a line for each, and writes what they found.
+#include "scene/check.h"
+#include "base/files.h"
+#include "base/places.h"
+#include "stability/plot.h"
+#include "stability/row_json.h"
+#include "stability/suite_html.h"
+
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char usage[] =
+    "usage: build/stability [options]\n"
+    "  --row N            only this row; may be repeated\n"
+    "  --output DIR       writes stability.json, .html and the figures (default build/study)\n"
+    "  --mistake NN:NAME  lab NN is drawn with a mistake of its mistakes.json\n";
+
+typedef struct Options {
+    bool rows[ROW_COUNT + 1];
+    char output[FILES_PATH];
+    Bench bench;
+} Options;
+
+static bool take_row(Options *options, const char *text) {
+    char *end;
+    long number = strtol(text, &end, 10);
+    if (end == text || *end || !row_find((int)number))
+        return check_fail("--row takes the number of a row, 1 to %d, not \"%s\"", ROW_COUNT, text);
+    options->rows[number] = true;
+    return true;
+}
+
+static bool take_mistake(Options *options, char *text) {
+    char *colon = strchr(text, ':');
+    if (!colon)
+        return check_fail("--mistake takes NN:NAME, not \"%s\"", text);
+    *colon = '\0';
+    options->bench.fault_lab = text;
+    options->bench.fault = colon + 1;
+    return true;
+}
+
+static bool take_option(Options *options, int option, char *value) {
+    switch (option) {
+    case 'r':
+        return take_row(options, value);
+    case 'm':
+        return take_mistake(options, value);
+    case 'o':
+        snprintf(options->output, sizeof options->output, "%s", value);
+        return true;
+    default:
+        return check_fail("unknown option, or one without its value");
+    }
+}
+
+static bool parse(Options *options, int count, char **arguments) {
+    static const struct option table[] = {{"row", required_argument, NULL, 'r'},
+                                          {"output", required_argument, NULL, 'o'},
+                                          {"mistake", required_argument, NULL, 'm'},
+                                          {0}};
+    home_build_path(options->output, "study");
+    opterr = 0;
+    for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;)
+        if (!take_option(options, option, optarg))
+            return false;
+    bool all = memchr(options->rows, true, sizeof options->rows) == NULL;
+    for (int i = 1; all && i <= ROW_COUNT; i++)
+        options->rows[i] = true;
+    return optind == count || check_fail("\"%s\" is not an option", arguments[optind]);
+}
+
+static void print_line(const RowResult *result) {
+    printf("%2d  %-9s  %-22s ", result->row->number, row_status_name(result->status), result->row->name);
+    if (result->message[0])
+        printf("%s\n", result->message);
+    else if (result->curve)
+        printf("%s: %.4g, expected %s%.4g, %.0f %% of the tolerance\n", result->curve->name,
+               result->worst.measured, curve_bound(result->curve), result->worst.expected,
+               100 * result->worst.share);
+    else
+        printf("%s\n", result->row->run ? "nothing was measured" : "no lab has this method yet");
+    fflush(stdout);
+}
+
+static bool write_json(const RowResult *results, int count, const char *folder) {
+    char path[FILES_PATH];
+    json_t *rows = json_array();
+    for (int i = 0; i < count; i++)
+        json_array_append_new(rows, row_json(&results[i]));
+    json_t *root = json_pack("{s:i, s:o}", "version", 1, "rows", rows);
+    files_join(path, folder, "stability.json");
+    bool ok = root && json_dump_file(root, path, JSON_INDENT(1) | JSON_REAL_PRECISION(8)) == 0;
+    json_decref(root);
+    return ok || check_fail("%s cannot be written", path);
+}
+
+static bool write_page(const RowResult *results, int count, const char *folder) {
+    char path[FILES_PATH];
+    char *text = suite_html(results, count, folder);
+    files_join(path, folder, "stability.html");
+    bool ok = text && files_write(path, text);
+    free(text);
+    return ok;
+}
+
+// The number of rows that ran; *failed is that of those that fail.
+static int run_rows(Options *options, RowResult *results, int *failed) {
+    int count = 0;
+    *failed = 0;
+    for (int i = 1; i <= ROW_COUNT; i++)
+        if (options->rows[i] && row_find(i)) {
+            row_run(&results[count], row_find(i), &options->bench);
+            print_line(&results[count]);
+            *failed += results[count++].status == ROW_FAIL;
+        }
+    bench_close(&options->bench);
+    return count;
+}
+
+static int run(Options *options) {
+    static RowResult results[ROW_COUNT];
+    int failed, count = run_rows(options, results, &failed);
+    const char *folder = options->output;
+    check_clear();
+    bool ok = files_make_folder(folder) && write_json(results, count, folder) &&
+              plot_all(results, count, folder) && write_page(results, count, folder);
+    for (int i = 0; i < count; i++)
+        findings_destroy(&results[i].findings);
+    if (ok)
+        printf("%d of %d rows fail; see %s/stability.html\n", failed, count, folder);
+    else
+        fprintf(stderr, "stability: %s\n", check_message());
+    return !ok || failed > 0;
+}
+
+int main(int count, char **arguments) {
+    static Options options;
+    signal(SIGPIPE, SIG_IGN);
+    if (!parse(&options, count, arguments)) {
+        fprintf(stderr, "stability: %s\n%s", check_message(), usage);
+        return 2;
+    }
+    return run(&options);
+}

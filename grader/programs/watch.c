@@ -1,0 +1,292 @@
+// watch: grades a lab whenever one of its files is saved, and says what to do next. See grader/README.md.
+#include "base/file_watch.h"
+#include "scene/check.h"
+#include "base/places.h"
+#include "exam/exam_file.h"
+#include "watch/screens.h"
+#include "watch/terminal.h"
+#include "watch/viewer.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <getopt.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { EXIT_DONE, EXIT_OPEN, EXIT_USAGE, EXIT_FAULT, LOOK_EVERY = 100, PLAIN_WIDTH = 100 };
+
+static const char usage[] =
+    "usage: build/watch [options] [FOLDER]\n"
+    "  FOLDER       shaped like labs/ (default: labs)\n"
+    "  --lab NN     begin with this lab (default: the first that is not done)\n"
+    "  --seed N     of all gradings (default: drawn at the start, and kept)\n"
+    "  --context C  osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
+    "  --list       print how far all labs are, and end\n"
+    "exit status: 0 or, without a terminal, 1 when the lab is not done; 2 usage, 3 a fault\n";
+
+typedef struct Watch {
+    Desk desk;
+    Bench bench;
+    Viewer viewer;
+    Changes changes[RESULT_MAX_LABS];
+    bool entered; // the lab on the desk has just come there, and is to be graded
+    bool listing, dirty, end;
+    int marked; // in the list
+    bool color;
+} Watch;
+
+typedef struct Options {
+    const char *folder, *lab;
+    BenchOptions bench;
+    bool list;
+} Options;
+
+static bool take_option(Options *options, int option, const char *value) {
+    char *end = "";
+    switch (option) {
+    case 'l':
+        options->lab = value;
+        return true;
+    case 's':
+        errno = 0;
+        options->bench.seed = strtoull(value, &end, 10);
+        return (isdigit((unsigned char)value[0]) && !*end && !errno) ||
+               check_fail("--seed takes a whole number, not \"%s\"", value);
+    case 'c':
+        return context_parse(&options->bench.context, value);
+    case 'p':
+        options->list = true;
+        return true;
+    default:
+        return check_fail("unknown option, or one without its value");
+    }
+}
+
+static bool parse(Options *options, int count, char **arguments) {
+    static const struct option table[] = {
+        {"lab", required_argument, NULL, 'l'},     {"seed", required_argument, NULL, 's'},
+        {"context", required_argument, NULL, 'c'}, {"list", no_argument, NULL, 'p'},
+        {"help", no_argument, NULL, 'h'},          {0}};
+    static char labs[FILES_PATH];
+    const char *context = getenv("SHADOW_LAB_CONTEXT");
+    home_path(labs, "labs");
+    *options = (Options){.folder = labs, .bench.seconds = 20};
+    if (!recorded_draw_seed(&options->bench.seed))
+        return false;
+    if (context && !context_parse(&options->bench.context, context))
+        return false;
+    opterr = 0;
+    for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;) {
+        if (option == 'h') {
+            fputs(usage, stdout);
+            exit(0);
+        }
+        if (!take_option(options, option, optarg))
+            return false;
+    }
+    if (optind < count && !realpath(arguments[optind], labs))
+        return check_fail("%s is not a folder", arguments[optind]);
+    return optind >= count - 1 || check_fail("give at most one FOLDER");
+}
+
+static void ask(Watch *watch) {
+    watch->entered = false;
+    watch->dirty = true;
+    if (bench_ask(&watch->bench, watch->desk.current))
+        return;
+    snprintf(watch->desk.message, sizeof watch->desk.message, "%s", check_message());
+    check_clear();
+}
+
+static void turn_to(Watch *watch, int lab) {
+    desk_turn_to(&watch->desk, lab);
+    watch->listing = false;
+    watch->entered = watch->dirty = true;
+}
+
+// Grades the lab on the desk when it was saved or has just come there. Another lab that is saved comes to the
+// desk; several at once are not a student's doing (git is at work) and change nothing.
+static void look(Watch *watch) {
+    bool own = watch->entered;
+    int others = 0, other = -1;
+    if (watch->bench.busy)
+        return;
+    for (int lab = 0; lab < watch->desk.lab_count; lab++) {
+        const bool saved = changes_found(&watch->changes[lab]);
+        if (lab == watch->desk.current)
+            own = own || saved;
+        else if (saved && ++others > 0)
+            other = lab;
+    }
+    check_clear();
+    if (!own && others != 1)
+        return;
+    if (!watch->entered) // else the message says why we are here
+        watch->desk.message[0] = '\0';
+    if (!own)
+        turn_to(watch, other);
+    ask(watch);
+}
+
+static void go_on(Watch *watch) {
+    Desk *desk = &watch->desk;
+    const int next = desk_next(desk);
+    if (next < 0)
+        snprintf(desk->message, sizeof desk->message, "there is no other lab that is not done");
+    else
+        turn_to(watch, next);
+}
+
+static void take_verdict(Watch *watch) {
+    Desk *desk = &watch->desk;
+    const Rubric *rubric = &desk->rubrics[desk->current];
+    watch->dirty = true;
+    if (!bench_take(&watch->bench) || !desk_take(desk, &watch->bench.verdict))
+        return;
+    const int next = desk_next(desk);
+    snprintf(desk->message, sizeof desk->message, "Lab %s is done: %.0f of %.0f points. %s%s%s", rubric->id,
+             desk->verdict.score, desk->verdict.max_score,
+             next < 0 ? "All labs are done!" : "Here is the next one; l leads back.",
+             recorded_only() ? "" : " Our solution, to compare: solutions/",
+             recorded_only() ? "" : strrchr(rubric->folder, '/') + 1);
+    if (next >= 0)
+        turn_to(watch, next);
+}
+
+static void press_in_list(Watch *watch, int key) {
+    const int count = watch->desk.lab_count;
+    if (key == KEY_UP || key == 'k')
+        watch->marked = (watch->marked + count - 1) % count;
+    else if (key == KEY_DOWN || key == 'j')
+        watch->marked = (watch->marked + 1) % count;
+    else if (key == KEY_ENTER)
+        turn_to(watch, watch->marked);
+    else if (key == 'l' || key == KEY_ESCAPE)
+        watch->listing = false;
+}
+
+static void press(Watch *watch, int key) {
+    Desk *desk = &watch->desk;
+    watch->dirty = true;
+    desk->message[0] = '\0';
+    if (key == 'q')
+        watch->end = true;
+    else if (watch->listing)
+        press_in_list(watch, key);
+    else if (key == 'h')
+        desk_hint(desk);
+    else if (key == 'n')
+        go_on(watch);
+    else if (key == 'r')
+        viewer_open(&watch->viewer, desk->rubrics[desk->current].id, desk->message, sizeof desk->message);
+    else if (key == 'l') {
+        watch->listing = true;
+        watch->marked = desk->current;
+    }
+}
+
+static void draw(Watch *watch) {
+    static Sheet sheet;
+    char footer[200];
+    int columns, rows;
+    terminal_size(&columns, &rows);
+    sheet_begin(&sheet, columns);
+    if (watch->listing)
+        screens_list(&sheet, &watch->desk, watch->marked);
+    else
+        screens_lab(&sheet, &watch->desk, watch->bench.busy);
+    screens_footer(footer, sizeof footer, &watch->desk, watch->listing, watch->bench.busy);
+    sheet_show(&sheet, footer, columns, rows, watch->color);
+    watch->dirty = false;
+}
+
+static void watch_terminal(Watch *watch) {
+    for (int lab = 0; lab < watch->desk.lab_count; lab++) {
+        char folder[FILES_PATH];
+        desk_lab_folder(&watch->desk, lab, folder);
+        changes_begin(&watch->changes[lab], folder, "");
+    }
+    turn_to(watch, watch->desk.current);
+    while (!watch->end) {
+        look(watch);
+        if (viewer_failed(&watch->viewer, watch->desk.message, sizeof watch->desk.message))
+            watch->dirty = true;
+        if (watch->dirty)
+            draw(watch);
+        const Event event = terminal_wait(watch->bench.busy ? watch->bench.verdicts : -1, LOOK_EVERY);
+        watch->end = event.end;
+        watch->dirty = watch->dirty || event.redraw;
+        if (event.readable)
+            take_verdict(watch);
+        if (event.key != KEY_NONE)
+            press(watch, event.key);
+    }
+}
+
+// Without a terminal: one grading, in plain lines.
+static void print_once(Watch *watch) {
+    static Sheet sheet;
+    ask(watch);
+    while (watch->bench.busy && !bench_take(&watch->bench))
+        ;
+    desk_take(&watch->desk, &watch->bench.verdict);
+    sheet_begin(&sheet, PLAIN_WIDTH);
+    screens_lab(&sheet, &watch->desk, false);
+    sheet_print(&sheet, stdout, false);
+}
+
+static void print_list(Watch *watch) {
+    static Sheet sheet;
+    sheet_begin(&sheet, PLAIN_WIDTH);
+    screens_list(&sheet, &watch->desk, -1);
+    sheet_print(&sheet, stdout, isatty(STDOUT_FILENO) && watch->color);
+    if (watch->desk.message[0])
+        printf("\n%s\n", watch->desk.message);
+}
+
+static int run(Watch *watch, const Options *options) {
+    if (options->list) {
+        print_list(watch);
+        return EXIT_DONE;
+    }
+    if (terminal_open()) {
+        watch_terminal(watch);
+        bench_stop(&watch->bench);
+        terminal_close();
+        printf("%.0f of %.0f points; `make watch` goes on\n", desk_score(&watch->desk),
+               desk_max_score(&watch->desk));
+        return EXIT_DONE;
+    }
+    char why[200];
+    snprintf(why, sizeof why, "%.199s", check_message());
+    print_once(watch);
+    printf("\nwatch: %s.\nRun `make watch` in a terminal, or `make grade LAB=%s` after each change.\n", why,
+           watch->desk.rubrics[watch->desk.current].id);
+    return watch->desk.verdict.fault ? EXIT_FAULT : watch->desk.verdict.done ? EXIT_DONE : EXIT_OPEN;
+}
+
+int main(int count, char **arguments) {
+    static Watch watch;
+    Options options;
+    if (!parse(&options, count, arguments)) {
+        fprintf(stderr, "watch: %s\n%s", check_message(), usage);
+        return EXIT_USAGE;
+    }
+    signal(SIGPIPE, SIG_IGN);
+    if (!desk_create(&watch.desk, options.folder, options.lab)) {
+        fprintf(stderr, "watch: %s\n", check_message());
+        desk_destroy(&watch.desk);
+        return EXIT_USAGE;
+    }
+    options.bench.folder = options.folder;
+    options.bench.rubrics = watch.desk.rubrics;
+    watch.bench.options = options.bench;
+    watch.color = !getenv("NO_COLOR");
+    const int status = run(&watch, &options);
+    bench_stop(&watch.bench);
+    desk_destroy(&watch.desk);
+    return status;
+}

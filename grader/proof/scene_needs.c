@@ -1,0 +1,165 @@
+#include "proof/scene_needs.h"
+
+#include "scene/check.h"
+#include "score/score.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *scene;
+    int object;
+    const char *why;
+} excuses[] = {
+    {"edge", 0,
+     "the floor: the lens looks at the map around one of its points, and only the picture shows it"},
+};
+
+const char *economy_excuse(const char *scene, int object) {
+    for (size_t i = 0; i < sizeof excuses / sizeof excuses[0]; i++)
+        if (strcmp(excuses[i].scene, scene) == 0 && excuses[i].object == object)
+            return excuses[i].why;
+    return NULL;
+}
+
+static int shape_triangles(Shape shape) {
+    Mesh mesh;
+    INVARIANT(mesh_create(&mesh, shape));
+    int triangles = mesh.index_count / 3;
+    mesh_destroy(&mesh);
+    return triangles;
+}
+
+int economy_triangles(const Scene *scene) {
+    int triangles = 0;
+    for (int i = 0; i < scene->object_count; i++)
+        triangles += shape_triangles((Shape)scene->objects[i].shape);
+    return triangles;
+}
+
+void economy_describe(char text[ECONOMY_TEXT], const char *lab, const Economy *economy) {
+    int shapes[SHAPE_COUNT] = {0};
+    for (int i = 0; i < economy->first.object_count; i++)
+        shapes[economy->first.objects[i].shape]++;
+    snprintf(text, ECONOMY_TEXT, "| %s | %s | %d | %d | %d | %d |", lab, economy->scene, shapes[SHAPE_PLANE],
+             shapes[SHAPE_BOX], shapes[SHAPE_SPHERE], economy_triangles(&economy->first));
+}
+
+double economy_least(const Economy *economy) {
+    double least = 1;
+    for (int i = 0; i < economy->first.object_count; i++)
+        if (!economy_excuse(economy->scene, i))
+            least = fmin(least, economy->need[i]);
+    return least;
+}
+
+static void take_away(Scene *scene, int object) {
+    scene->object_count--;
+    memmove(&scene->objects[object], &scene->objects[object + 1],
+            (size_t)(scene->object_count - object) * sizeof scene->objects[0]);
+}
+
+// Share of the pixels where just one of the variants shows the phenomenon, or both do and differ.
+static double changed_share(const Variant *before, const Variant *after) {
+    size_t changed = 0, bytes = image_bytes(&before->reference);
+    for (size_t at = 0; at < bytes; at += 4) {
+        bool shown = score_pixel(&before->reference, &before->without, at) > 0;
+        bool still = score_pixel(&after->reference, &after->without, at) > 0;
+        changed += shown != still || (shown && score_pixel(&before->reference, &after->reference, at) > 0);
+    }
+    return (double)changed / ((double)bytes / 4);
+}
+
+static bool draw(Roster *roster, Solved solved, const Request *request, Image *image) {
+    static Reply reply;
+    const Painter *painter = roster_get(roster, solved, NULL);
+    return painter && roster_draw(roster, painter, request, image, &reply);
+}
+
+// What an object is needed for in one variant: see Economy.
+static bool find_need(const Variant *whole, Roster *roster, const char *task, int object, double enough,
+                      double *need) {
+    static Variant lacking;
+    lacking = (Variant){.request = whole->request};
+    take_away(&lacking.request.scene, object);
+    bool ok = draw(roster, (Solved){SOLVED_ALL, NULL}, &lacking.request, &lacking.reference) &&
+              draw(roster, (Solved){SOLVED_ALL_BUT, task}, &lacking.request, &lacking.without);
+    *need = ok ? changed_share(whole, &lacking) : 0;
+    if (ok && *need < enough) {
+        ok = draw(roster, (Solved){SOLVED_NONE, NULL}, &lacking.request, &lacking.skeleton);
+        *need = ok && !exam_acceptable(&lacking, 0) ? 1 : *need;
+    }
+    image_destroy(&lacking.reference);
+    image_destroy(&lacking.without);
+    image_destroy(&lacking.skeleton);
+    return ok;
+}
+
+static bool look_at_check(Economy *economy, const Exam *exam, Roster *roster, int c, double enough) {
+    const Check *check = &exam->rubric->checks[c];
+    bool ok = true;
+    for (int object = 0; ok && object < economy->first.object_count; object++) {
+        double sum = 0, need = 0;
+        if (economy->need[object] >= enough)
+            continue;
+        for (int n = 0; ok && n < check->variants; n++) {
+            ok = find_need(&exam->variants[c][n], roster, check->task, object, enough, &need);
+            sum += need;
+        }
+        economy->need[object] = fmax(economy->need[object], sum / check->variants);
+    }
+    return ok;
+}
+
+bool economy_look(Economy *economy, const Exam *exam, Roster *roster, double enough) {
+    bool ok = true;
+    for (int c = 0; ok && c < exam->rubric->check_count; c++)
+        if (strcmp(exam->rubric->checks[c].scene, economy->scene) == 0) {
+            if (economy->first.object_count == 0)
+                economy->first = exam->variants[c][0].request.scene;
+            ok = look_at_check(economy, exam, roster, c, enough);
+        }
+    return ok;
+}
+
+static int list_scenes(Economy *economies, const Rubric *rubric) {
+    int count = 0;
+    for (int i = 0; scene_name(i); i++) {
+        int uses = 0;
+        for (int c = 0; c < rubric->check_count; c++)
+            uses += strcmp(rubric->checks[c].scene, scene_name(i)) == 0;
+        INVARIANT(count < ECONOMY_MAX_SCENES);
+        if (uses > 0)
+            economies[count++] = (Economy){.scene = scene_name(i)};
+    }
+    return count;
+}
+
+static bool look_all(Economy *economies, int count, const Exam *exam, Roster *roster, double enough) {
+    bool ok = true;
+    for (int i = 0; ok && i < count; i++)
+        ok = economy_look(&economies[i], exam, roster, enough);
+    return ok;
+}
+
+int economy_measure(Economy *economies, const Rubric *rubric, Client *worker, int seeds, double enough) {
+    Roster roster = {.rubric = rubric, .client = *worker};
+    Exam *exam = calloc(1, sizeof *exam);
+    int count = list_scenes(economies, rubric);
+    bool ok = exam != NULL, all = false;
+    for (int seed = 1; ok && !all && seed <= seeds; seed++) {
+        ok = exam_create(exam, rubric, &roster, (uint64_t)seed) &&
+             look_all(economies, count, exam, &roster, enough);
+        all = true;
+        for (int i = 0; i < count; i++)
+            all = all && economy_least(&economies[i]) >= enough;
+        exam_destroy(exam);
+    }
+    free(exam);
+    *worker = roster.client;
+    roster.client = (Client){0}; // goes on
+    roster_destroy(&roster);
+    return ok ? count : -1;
+}

@@ -1,0 +1,43 @@
+// Does a scene hold more than it needs? Takes each object of it away and looks at what is graded then.
+//
+// What a check is about, its *phenomenon*, is what the solution draws on the pixels where the solution
+// without the check's task draws something else, in the check's view. An object is needed when its absence
+// changes that, or when the grader would not ask the variant any more (exam_acceptable).
+#pragma once
+
+#include "exam/exam.h"
+
+#include <stdbool.h>
+
+enum { ECONOMY_MAX_SCENES = 16, ECONOMY_TEXT = 128 };
+
+// A scene as the checks of one lab use it.
+typedef struct Economy {
+    const char *scene; // lives as long as the program
+    Scene first;       // its first variant
+    // Of each object: the share of the picture, 0..1, whose phenomenon changes without it, 1 where the
+    // variant would be refused. The mean over a check's variants, of these the largest over checks and seeds.
+    double need[SCENE_MAX_OBJECTS];
+} Economy;
+
+// Measures the scenes of a lab, at most ECONOMY_MAX_SCENES, in the order of scene_name; returns their number,
+// -1 with a message when a frame of ours fails. Objects that reach `enough` are not looked at again; with no
+// other objects left no further seed is drawn. `worker` draws; it is started when it does not run.
+int economy_measure(Economy *economies, const Rubric *rubric, Client *worker, int seeds, double enough);
+
+// The same for one exam, whose scenes may hold something else than scene_make puts there: looks at all
+// objects of `economy` that are below `enough`. False with a message.
+bool economy_look(Economy *economy, const Exam *exam, Roster *roster, double enough);
+
+// The least of the needs of all objects but those that economy_excuse names.
+double economy_least(const Economy *economy);
+
+// Why this object is in the scene though no check sees it; NULL when there is no excuse.
+const char *economy_excuse(const char *scene, int object);
+
+// Triangles of all objects of a scene: what each pass draws.
+int economy_triangles(const Scene *scene);
+
+// What the scene is made of, as the table in grader/README.md says it: "| lab | scene | planes | boxes |
+// spheres | triangles |".
+void economy_describe(char text[ECONOMY_TEXT], const char *lab, const Economy *economy);

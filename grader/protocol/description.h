@@ -1,0 +1,8 @@
+// What a worker says of its lab, made safe to show and to calculate with.
+#pragma once
+
+#include "protocol/protocol.h"
+
+// Ends texts and replaces what is not printable ASCII by '?', limits counts to the arrays, gives a knob
+// without a finite, ordered range the range 0..0, and puts the default into the range.
+void description_clean(Description *description);

@@ -1,0 +1,109 @@
+#include "study/measurements.h"
+
+#include "scene/check.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Both formats end with a full stop, which shows that a line is whole.
+#define TIME "time %" SCNx64 " %lf %lf .%n"
+#define ERRORS "errors %" SCNx64 " %lf %lf %lf %lf %lf %lf .%n"
+
+static bool grow(void **items, int count, int *capacity, size_t size) {
+    if (count < *capacity)
+        return true;
+    int more = 2 * *capacity + 256;
+    void *moved = realloc(*items, (size_t)more * size);
+    if (!moved)
+        return check_fail("out of memory for %d measurements", more);
+    *items = moved;
+    *capacity = more;
+    return true;
+}
+
+static bool keep_time(State *state, const StateTime *time) {
+    if (!grow((void **)&state->times, state->time_count, &state->time_capacity, sizeof *time))
+        return false;
+    state->times[state->time_count++] = *time;
+    return true;
+}
+
+static bool keep_errors(State *state, const StateError *error) {
+    if (!grow((void **)&state->errors, state->error_count, &state->error_capacity, sizeof *error))
+        return false;
+    state->errors[state->error_count++] = *error;
+    return true;
+}
+
+static bool take_line(State *state, const char *line) {
+    StateTime time;
+    StateError error;
+    StateErrors *e = &error.errors;
+    int end = 0;
+    if (sscanf(line, TIME, &time.key, &time.prepare, &time.shade, &end) == 3 && end > 0)
+        return keep_time(state, &time);
+    if (sscanf(line, ERRORS, &error.key, &e->edge_false_shadow, &e->edge_false_light,
+               &e->interior_false_shadow, &e->interior_false_light, &e->off, &e->partial, &end) == 7 &&
+        end > 0)
+        return keep_errors(state, &error);
+    return true; // cut off, or of another version: measured again
+}
+
+bool state_open(State *state, const char *path) {
+    char line[512];
+    bool ok = true, whole = true;
+    *state = (State){.file = fopen(path, "a+")};
+    if (!state->file)
+        return check_fail("%s: %s", path, strerror(errno));
+    rewind(state->file);
+    while (ok && fgets(line, sizeof line, state->file)) {
+        whole = strchr(line, '\n') != NULL;
+        ok = take_line(state, line);
+    }
+    if (!whole)
+        fputc('\n', state->file);
+    return ok;
+}
+
+void state_close(State *state) {
+    if (state->file)
+        fclose(state->file);
+    free(state->times);
+    free(state->errors);
+    *state = (State){0};
+}
+
+static bool flush(State *state) {
+    return (fflush(state->file) == 0 && !ferror(state->file)) ||
+           check_fail("the study's state cannot be written: %s", strerror(errno));
+}
+
+bool state_add_time(State *state, const StateTime *time) {
+    fprintf(state->file, "time %016" PRIx64 " %.6f %.6f .\n", time->key, time->prepare, time->shade);
+    return keep_time(state, time) && flush(state);
+}
+
+bool state_add_errors(State *state, uint64_t key, const StateErrors *errors) {
+    const StateErrors *e = errors;
+    fprintf(state->file, "errors %016" PRIx64 " %.17g %.17g %.17g %.17g %.17g %.17g .\n", key,
+            e->edge_false_shadow, e->edge_false_light, e->interior_false_shadow, e->interior_false_light,
+            e->off, e->partial);
+    return keep_errors(state, &(StateError){key, *errors}) && flush(state);
+}
+
+const StateErrors *state_errors(const State *state, uint64_t key) {
+    for (int i = 0; i < state->error_count; i++)
+        if (state->errors[i].key == key)
+            return &state->errors[i].errors;
+    return NULL;
+}
+
+int state_times(const State *state, uint64_t key, StateTime *times, int most) {
+    int count = 0;
+    for (int i = 0; i < state->time_count && count < most; i++)
+        if (state->times[i].key == key)
+            times[count++] = state->times[i];
+    return count;
+}

@@ -1,0 +1,54 @@
+// The truth of one view of a scene, traced once and held against every method that draws it.
+#pragma once
+
+#include "study/lab_artist.h"
+#include "truth/metrics.h"
+#include "truth/truth.h"
+
+// Arrays have size.width * size.height entries, top row first, and belong to the ground.
+typedef struct Ground {
+    MetricsSize size;
+    Truth truth;          // its scene is the one that was given
+    TruthPicture picture; // what the camera sees
+    int32_t *traced, *drawn;
+    float *facing;     // N.L; 1 for occlusion, which has no direction
+    float *visibility; // the truth, 0..1
+    float *distance;   // to the true boundary, pixels
+} Ground;
+
+// Traces the scene for this query; `artist` draws the triangles (any lab's does). False with a message.
+bool ground_create(Ground *ground, const Scene *scene, MetricsSize size, const TruthQuery *query,
+                   Artist *artist);
+void ground_destroy(Ground *ground); // accepts a zeroed ground
+
+// How a method is asked for its frame.
+typedef struct Setting {
+    const char *view; // VIEW_VISIBILITY, or a stage of the lab
+    KnobSetting knobs[LAB_MAX_KNOBS];
+    int knob_count;   // the others keep their defaults
+    float edge_width; // pixels (metrics_edge_width); 0: METRICS_LEAST_EDGE
+    int object;       // only the pixels of this object count; TRUTH_NONE: all
+} Setting;
+
+// Adds a knob to the setting.
+void setting_knob(Setting *setting, const char *name, float value);
+
+// A request for any scene with the setting's knobs and view.
+Request setting_request(const Setting *setting, const Scene *scene, MetricsSize size);
+
+// A method's frame beside the truth.
+typedef struct Measured {
+    Metrics metrics;
+    float *visibility; // size.width * size.height, owned; NAN where the lab drew no finite colour
+    uint8_t *mask;     // owned: 1 where the pixel counts
+    float milliseconds[LAB_MAX_PASSES];
+} Measured;
+
+// Draws the ground's scene by `artist` and compares it with the truth. Its resources are made anew where
+// `fresh`. False with a message. The caller destroys what it got, also after a failure.
+bool ground_measure(const Ground *ground, Artist *artist, const Setting *setting, bool fresh,
+                    Measured *measured);
+void measured_destroy(Measured *measured); // accepts a zeroed one
+
+// A request for the ground's scene with the setting's knobs and view.
+Request ground_request(const Ground *ground, const Setting *setting);

@@ -1,0 +1,246 @@
+// The study's arithmetic against values worked out by hand: medians, the front, edges, fragments, what is
+// kept.
+#include "study/pareto.h"
+
+#include "scene/check.h"
+#include "base/files.h"
+#include "truth/closed_scenes.h"
+#include "study/csv.h"
+#include "study/edge.h"
+#include "study/finding.h"
+#include "study/fragments.h"
+#include "study/measurements.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+// Of 1 2 4 8 100 the median is 4, the deviations are 3 2 0 4 96. Of 1 2 3 10 it is 2.5, the deviations
+// are 1.5 0.5 0.5 7.5.
+static void test_median(void **unused) {
+    (void)unused;
+    double odd[2][5] = {{100, 2, 8, 1, 4}, {100, 2, 8, 1, 4}}, even[2][4] = {{10, 1, 3, 2}, {10, 1, 3, 2}};
+    assert_true(pareto_median(odd[0], 5) == 4 && pareto_mad(odd[1], 5) == 3);
+    assert_true(pareto_median(even[0], 4) == 2.5 && pareto_mad(even[1], 4) == 1);
+    assert_true(pareto_median((double[]){7}, 1) == 7 && pareto_mad((double[]){7}, 1) == 0);
+}
+
+static void test_front(void **unused) {
+    (void)unused;
+    Point points[] = {{10, 1, 0.1, false},      // fastest
+                      {20, 1, 0.01, false},     // the next step of the front
+                      {25, 1, 0.02, false},     // slower and worse than the second
+                      {21, 1, 0.01, false},     // as good as the second, and slower within the noise only
+                      {30, 1, 0.01, false},     // as good as the second, and surely slower
+                      {20.5, 1, 0.0101, false}, // slower and worse than the second, both within the noise
+                      {40, 1, 0.001, false},    // most accurate
+                      {-1, 0, 0, false}};       // did not draw
+    const bool expected[] = {true, true, false, true, false, true, true, false};
+    pareto_mark(points, 8);
+    for (int i = 0; i < 8; i++)
+        assert_int_equal(points[i].on_front, expected[i]);
+    assert_false(pareto_dominates(&points[0], &points[0]));
+    assert_true(pareto_surely_faster(&points[0], &points[1]) &&
+                !pareto_surely_faster(&points[1], &points[3]));
+}
+
+enum { SIDE = 20 };
+
+typedef struct Picture {
+    int32_t traced[SIDE * SIDE];
+    uint8_t mask[SIDE * SIDE];
+    float truth[SIDE * SIDE], measured[SIDE * SIDE], distance[SIDE * SIDE];
+} Picture;
+
+// One object, all of it counted, lit where u * x + v * y >= 10 (the method: >= 10 + off).
+static Picture make_picture(int u, int v, int off) {
+    Picture picture;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        int place = u * (i % SIDE) + v * (i / SIDE);
+        picture.traced[i] = 0;
+        picture.mask[i] = 1;
+        picture.truth[i] = place >= 10;
+        picture.measured[i] = place >= 10 + off;
+    }
+    return picture;
+}
+
+// A vertical edge through 20 rows runs over 19 squares between pixels. Along x + y = 10 there are 10 squares
+// with one pixel lit (corner x + y = 8, but 9 of them) and 10 with three, each with a diagonal.
+static void test_edge_length(void **unused) {
+    (void)unused;
+    const MetricsSize size = {SIDE, SIDE};
+    Picture upright = make_picture(1, 0, 0), diagonal = make_picture(1, 1, 0);
+    assert_true(edge_length(size, upright.traced, upright.mask, upright.truth) == 19);
+    double length = edge_length(size, diagonal.traced, diagonal.mask, diagonal.truth);
+    assert_true(fabs(length - 19 / sqrt(2)) < 1e-9);
+    upright.mask[5 * SIDE + 9] = 0; // two squares touch it
+    assert_true(edge_length(size, upright.traced, upright.mask, upright.truth) == 17);
+    for (int i = 0; i < SIDE * SIDE; i++)
+        upright.traced[i] = metrics_primitive(i % SIDE >= 10, 0); // the edge is where one object ends
+    assert_true(edge_length(size, upright.traced, upright.mask, upright.truth) == 0);
+}
+
+// A method whose edge lies two pixels off: 2 x 20 wrong pixels along a length of 19.
+static void test_edge_error(void **unused) {
+    (void)unused;
+    const MetricsSize size = {SIDE, SIDE};
+    Picture picture = make_picture(1, 0, 2);
+    assert_true(metrics_boundary(size, picture.traced, picture.truth, picture.distance));
+    Metrics metrics =
+        metrics_compare(size, picture.mask, picture.measured, picture.truth, picture.distance, 3);
+    double length = edge_length(size, picture.traced, picture.mask, picture.truth);
+    assert_true(fabs(edge_error(&metrics, length) - 40.0 / 19) < 1e-9);
+    assert_true(metrics.interior.mae == 0 && edge_error(&metrics, 0) == 0);
+}
+
+// A wall seen straight on, its light square to it: the map's side of 2 * 3 units covers 6 / unit pixels.
+static void test_map_side(void **unused) {
+    (void)unused;
+    Artist artist;
+    Ground ground;
+    Scene scene = hand_wall(6, 10, glm_rad(40));
+    hand_add(&scene, SHAPE_BOX, vec3_make(-0.6f, 0, 3), vec3_make(0.5f, 0.5f, 0.1f), 0);
+    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 8), vec3_make(0, 0, 0), 0, 3, 1, 10);
+    const TruthQuery query = {.kind = TRUTH_LIGHT};
+    if (!artist_open(&artist, "03") ||
+        !ground_create(&ground, &scene, (MetricsSize){200, 160}, &query, &artist))
+        fail_msg("%s", check_message());
+    double side = edge_map_side(&ground), expected = 6 / hand_unit(&scene, 160);
+    print_message("side of the map: %.2f pixels, expected %.2f\n", side, expected);
+    assert_true(fabs(side / expected - 1) < 0.005);
+    ground_destroy(&ground);
+    artist_close(&artist);
+}
+
+// A cube in the middle, light along the view: near caps (its front) and sides (from the front's outline to
+// the vanishing point in the middle) cover the same square; the far caps at infinity are that one point. The
+// front, of side 2, is 4 away, where the picture is 8 wide. Moved to x = 4, the picture's edge x = 4 cuts it
+// in half: the cap covers 2, and the sides are triangles from the middle to its four edges: to x = 3 all of
+// it, 3; to y = 1 and -1 the part with x <= 4, 1 - 0.1 each; to x = 5 likewise, 3.2.
+static void test_fragments(void **unused) {
+    (void)unused;
+    Scene scene = hand_wall(6, 10, glm_rad(90));
+    const double square = 400.0 * 400 / 64; // pixels of one unit
+    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 9), vec3_make(0, 0, 0), 0, 3, 1, 10);
+    assert_true(fragments_of_volumes(&scene, 400, 400) == 0); // an open plane casts none
+    hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 5), vec3_make(1, 1, 1), 0);
+    assert_true(fabs(fragments_of_volumes(&scene, 400, 400) / (2 * 4 * square) - 1) < 1e-4);
+    scene.objects[1].world_from_object.raw[3][0] = 4;
+    assert_true(fabs(fragments_of_volumes(&scene, 400, 400) / ((2 + 3 + 2 * 0.9 + 3.2) * square) - 1) < 1e-4);
+}
+
+static void make_path(char path[FILES_PATH], char folder[FILES_PATH], const char *name) {
+    if (!folder[0])
+        assert_true(files_make_temporary(folder));
+    files_join(path, folder, name);
+}
+
+// What was measured is there again; a line that was cut off is not, and what follows it is.
+static void test_state(void **unused) {
+    (void)unused;
+    char folder[FILES_PATH] = "", path[FILES_PATH];
+    State state;
+    StateTime times[8];
+    const StateErrors errors = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+    make_path(path, folder, "state");
+    assert_true(state_open(&state, path) && state_errors(&state, 7) == NULL);
+    assert_true(state_add_time(&state, &(StateTime){7, 1.5, 2.5}) && state_add_errors(&state, 7, &errors));
+    fputs("time 0000000000000007 3.5 4.", state.file); // as kill -9 leaves it
+    state_close(&state);
+    assert_true(state_open(&state, path));
+    assert_int_equal(state_times(&state, 7, times, 8), 1);
+    assert_true(state_add_time(&state, &(StateTime){7, 5.5, 6.5}) &&
+                state_add_time(&state, &(StateTime){8, 1, 1}));
+    state_close(&state);
+    assert_true(state_open(&state, path));
+    assert_int_equal(state_times(&state, 7, times, 8), 2);
+    assert_true(times[0].prepare == 1.5 && times[1].shade == 6.5 && state_times(&state, 7, times, 1) == 1);
+    assert_memory_equal(state_errors(&state, 7), &errors, sizeof errors);
+    state_close(&state);
+    files_remove(folder);
+}
+
+static void add_finding(Findings *findings, double ms, double inside, double off, bool submission) {
+    Finding *finding = &findings->findings[findings->count];
+    *finding = (Finding){.method = {.lab = "05", .family = "linear", .submission = submission},
+                         .drawn = true,
+                         .errors = {.interior_false_light = inside, .edge_false_light = 0.001, .off = off}};
+    snprintf(finding->method.name, sizeof finding->method.name, "map %d", findings->count);
+    findings->points[findings->count++] = (Point){.ms = ms, .mad = 0.1};
+}
+
+// The cheapest without interior error and with at most half a pixel at the edge, of ours; what lies before it
+// errs.
+static void test_need(void **unused) {
+    (void)unused;
+    static Findings findings;
+    static const StudyScene scene = {.name = "made up", .tolerance = 1e-4};
+    char text[512];
+    findings = (Findings){.scene = &scene};
+    add_finding(&findings, 1, 0.5, 0.1, false);      // leaks
+    add_finding(&findings, 2, 0.00001, 0.51, false); // its edge is off; next cheaper
+    add_finding(&findings, 3, 0, 0.5, false);        // needed
+    add_finding(&findings, 2.5, 0, 0.4, true);       // not ours
+    add_finding(&findings, 4, 0, 0.1, false);        // more than needed
+    findings_judge(&findings);
+    assert_ptr_equal(findings_chosen(&findings), &findings.findings[2]);
+    findings.points[1].on_front = true;
+    assert_ptr_equal(findings_next_cheaper(&findings), &findings.findings[1]);
+    findings_tell(&findings, text, sizeof text);
+    assert_string_equal(
+        text, "linear, map 2 (lab 05); the next cheaper, linear, map 1 (lab 05): its edge is off by "
+              "0.51 pixels");
+    findings.count = 2;
+    findings_judge(&findings);
+    findings_tell(&findings, text, sizeof text);
+    assert_string_equal(text, "none of these settings is enough");
+}
+
+// A table of settings of one scene; the times' bars are 1 wide, and the second is on the front where `front`.
+static void write_table(const char *path, double first_ms, double second_ms, bool front) {
+    FILE *file = fopen(path, "w");
+    csv_head(file);
+    for (int i = 0; i < 2; i++)
+        fprintf(file,
+                "edges,05,ours,\"linear\",\"a, map %d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,1,1,0,0,%d,1,0\n",
+                i, i ? second_ms : first_ms, i ? front : 1);
+    fclose(file);
+}
+
+// Two settings of one error: the second is beaten only where it is surely slower. Whether it is on the front
+// may change where the bars nearly touch in one table and overlap in the other, not where they are apart in
+// both.
+static void test_compare(void **unused) {
+    (void)unused;
+    char folder[FILES_PATH] = "", a[FILES_PATH], b[FILES_PATH], bad[FILES_PATH];
+    FILE *nowhere = fopen("/dev/null", "w");
+    int unexplained;
+    make_path(a, folder, "a.csv");
+    make_path(b, folder, "b.csv");
+    make_path(bad, folder, "bad.csv");
+    write_table(a, 10, 11.9, true);
+    write_table(b, 10, 12.1, false);
+    assert_true(csv_compare(a, b, nowhere, &unexplained) && unexplained == 0);
+    write_table(a, 14, 10, true);
+    assert_true(csv_compare(a, b, nowhere, &unexplained) && unexplained == 1);
+    assert_true(csv_compare(b, a, nowhere, &unexplained) && unexplained == 1);
+    assert_true(files_write(bad, "scene,lab,whose\nedges,05\n"));
+    assert_false(csv_compare(a, bad, nowhere, &unexplained));
+    assert_non_null(strstr(check_message(), "bad.csv:"));
+    fclose(nowhere);
+    files_remove(folder);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_median),      cmocka_unit_test(test_front),
+                                       cmocka_unit_test(test_edge_length), cmocka_unit_test(test_edge_error),
+                                       cmocka_unit_test(test_map_side),    cmocka_unit_test(test_fragments),
+                                       cmocka_unit_test(test_state),       cmocka_unit_test(test_need),
+                                       cmocka_unit_test(test_compare)};
+    return cmocka_run_group_tests_name("study", tests, NULL, NULL);
+}

@@ -1,0 +1,14 @@
+// For tests that hold a solution's picture against a closed form.
+#pragma once
+
+#include "exam/exam.h"
+#include "truth/closed_scenes.h"
+
+// Draws `scene` with the solution of lab `id`: `view` is "picture", "visibility" or a stage. Knobs: pairs of
+// a name and a value, NULL for none. Fails the test when nothing is drawn. The caller destroys the image.
+typedef struct WitnessKnob {
+    const char *name;
+    float value;
+} WitnessKnob;
+Image witness_draw(const char *id, const Scene *scene, const char *view, int width, int height,
+                   const WitnessKnob *knobs, int knob_count);

@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# Every bad input ends in one clear message; none stops the grading of the other labs. All cases are made in one folder.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+
+c() { echo "$work/$1/03-shadow-map/lab.c"; }
+shader() { echo "$work/$1/03-shadow-map/shadow.frag"; }
+
+# put NAME LINE: a solved lab 03 whose pass draw_map begins with LINE.
+put() {
+    solved "$1" >/dev/null
+    sed -i "s|^static void draw_map(const Frame \*frame) {|#include <stdio.h>\n#include <stdlib.h>\n#include <unistd.h>\n&\n    $2|" "$(c "$1")"
+}
+
+# case NAME STATUS PATTERN...: grades the case with a short time limit.
+case_() {
+    local name=$1
+    shift
+    grades --lab 03 --seed 1 --timeout "${timeout:-20}" "$work/$name"
+    expect "$name" "$@"
+}
+
+put compile-error 'int x = "text" +;'
+line=$(grep -n '"text" +' "$(c compile-error)" | cut -d: -f1)
+case_ compile-error 1 "lab.c does not compile" "lab.c:$line:" "error: expected expression"
+
+put warning 'int unused_variable;'
+case_ warning 0 "note: ./lab.c:" "unused variable" "100.00 of 100 points"
+
+solved glsl-error >/dev/null
+sed -i 's/float lit = visibility/float lit = visibilty/' "$(shader glsl-error)"
+line=$(grep -n 'visibilty' "$(shader glsl-error)" | cut -d: -f1)
+case_ glsl-error 1 "shadow.frag does not compile" "shadow.frag:$line:" "The compiler's own words:" "0:$line("
+
+solved missing-file >/dev/null && rm "$(shader missing-file)"
+case_ missing-file 1 "shadow.frag cannot be read: No such file"
+
+mkdir -p "$work/empty-folder"
+case_ empty-folder 1 "not handed in: there is no folder 03-shadow-map"
+
+grades --lab 99 "$root/labs"
+expect unknown-lab 2 'there is no lab "99"'
+
+put crash '*(volatile int *)frame->width = 1;'
+case_ crash 1 "it crashed: Segmentation fault (SEGV) in shadow map (lab.c:"
+
+put endless-recursion 'draw_map(frame);'
+case_ endless-recursion 1 "it crashed: Segmentation fault (SEGV) in shadow map"
+
+limit=${QUICK:+12} limit=${limit:-3} # sanitizers are slow
+timeout=$limit
+put endless-loop 'for (;;) {}'
+case_ endless-loop 1 "it was stopped after $limit s: is there an endless loop?" ", timeout"
+
+put sleeper 'sleep(1000);'
+case_ sleeper 1 "it was stopped after $limit s" ", timeout"
+
+put endless-shader 'for (int i = 0; i < 1000; i++) draw_scene(frame, \&frame->programs[PROGRAM_SHADOW], frame_clip_from_world(frame), vec3_make(0, 0, 0));'
+sed -i 's|^void main()|float spin() { float x = 0.5; for (int i = 0; i >= 0; i++) x = fract(x * 3.7 + sin(x)); return x; }\n&|; s|vec3 ambient = phong_ambient();|vec3 ambient = phong_ambient() + 1e-9 * spin();|' "$(shader endless-shader)"
+case_ endless-shader 1 "it was stopped after $limit s" ", timeout"
+timeout=20
+
+put early-exit 'exit(0);'
+case_ early-exit 1 "it ended by itself with exit status 0 before the frame was drawn"
+
+solved nothing-drawn >/dev/null
+sed -i 's|frame_bind(frame);|frame_bind(frame); return;|' "$(c nothing-drawn)"
+case_ nothing-drawn 1 "nothing drawn: the whole picture has one colour"
+
+solved not-a-number >/dev/null
+sed -i 's|o_color = vec4(ambient + lit|o_color = vec4(sqrt(-1.0 - ambient) + lit|' "$(shader not-a-number)"
+case_ not-a-number 1 "some pixels are not finite numbers"
+
+put memory 'for (volatile char *p;;) { p = malloc(1 << 26); for (int i = 0; i < 1 << 26; i += 4096) p[i] = 1; }'
+[[ -n ${QUICK:-} ]] || # a sanitizer needs more addresses than a limit would leave
+    case_ memory 1 "it crashed: Segmentation fault" "memory ends at 2048 MiB"
+
+put flood 'for (;;) puts("all work and no play");'
+case_ flood 1 "it printed more than 4 MiB and was stopped"
+
+solved unreadable >/dev/null
+chmod 000 "$(c unreadable)" && chmod 755 "$work"
+if ((EUID == 0)); then
+    status=0
+    out=$(setpriv --reuid=65534 --regid=65534 --clear-groups "$grade" --lab 03 "$work/unreadable" 2>&1) || status=$?
+    expect unreadable 1 "lab.c cannot be read: Permission denied"
+else
+    case_ unreadable 1 "lab.c cannot be read: Permission denied"
+fi
+
+solved link >/dev/null
+mv "$(c link)" "$work/elsewhere.c" && ln -s "$work/elsewhere.c" "$(c link)"
+case_ link 1 "lab.c is a symbolic link: hand in the file itself"
+
+solved device >/dev/null
+rm "$(c device)" && mkfifo "$(c device)"
+case_ device 1 "lab.c is not a regular file"
+
+solved extra >/dev/null
+echo 'all: ; touch /tmp/owned' >"$work/extra/03-shadow-map/Makefile"
+echo x >"$work/extra/03-shadow-map/notes.txt"
+case_ extra 0 "ignored: Makefile (not a file of this lab)" "ignored: notes.txt"
+
+solved no-table >/dev/null
+sed -i 's/^const Lab lab/const Lab my_lab/' "$(c no-table)"
+case_ no-table 1 "lab.c defines no complete table"
+
+solved undefined >/dev/null
+sed -i 's/frame_bind(frame);/draw_too_frame(frame);/' "$(c undefined)"
+case_ undefined 1 "draw_too_frame"
+
+solved gl-error >/dev/null
+sed -i 's/glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24/glTexImage2D(GL_TEXTURE_2D, -1, GL_DEPTH_COMPONENT24/' "$(c gl-error)"
+case_ gl-error 1 "GL_INVALID_VALUE in glTexImage2D (lab.c:1"
+
+solved wrong-uniform >/dev/null
+sed -i 's/"u_shadow_map"/"u_shadowmap"/' "$(c wrong-uniform)"
+case_ wrong-uniform 0 "the uniform u_shadowmap is set but declared neither in scene.vert nor in shadow.frag"
+solved short-uniform >/dev/null
+sed -i 's/"u_light_clip_from_world"/"u_light_clip"/' "$(c short-uniform)"
+case_ short-uniform 1 "the uniform u_light_clip is set but declared neither in scene.vert nor in shadow.frag"
+
+# None of them stops the grading of the other labs.
+for name in compile-error crash endless-loop missing-file; do
+    cp -r "$root"/solutions/02-* "$work/$name"
+    grades --lab 02 --lab 03 --seed 1 --timeout "$limit" --format json "$work/$name"
+    [[ $(field '[l["score"] for l in r["labs"]]') == "[100.0, 0.0]" ]] && ok || bad "$name stops lab 02" "$out"
+done
+
+finish

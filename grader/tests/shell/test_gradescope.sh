@@ -1,0 +1,39 @@
+#!/usr/bin/env bash
+# The autograder for Gradescope, in the places that it expects (but for the root): what stands in its zip, and what it writes.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+
+out=$(grader/scripts/make_gradescope "$BUILD" 03 2>&1) && ok || bad "make_gradescope" "$out"
+export AUTOGRADER=$work/autograder
+mkdir -p "$AUTOGRADER"/{source,submission,results}
+python3 -m zipfile -e "$BUILD/shadow-lab-gradescope.zip" "$AUTOGRADER/source"
+[[ -f $AUTOGRADER/source/setup.sh && -f $AUTOGRADER/source/run_autograder && ! -e $AUTOGRADER/source/project/grader/tests ]] && ok ||
+    bad "the zip's root" "$(ls -R "$AUTOGRADER/source" | head -20)"
+list=$(python3 -c 'import sys,zipfile
+for i in zipfile.ZipFile(sys.argv[1]).infolist(): print(oct(i.external_attr >> 16), i.filename)' "$BUILD/shadow-lab-gradescope.zip")
+[[ $list == *"755 setup.sh"* && $list == *"755 run_autograder"* ]] && ok || bad "the scripts can be run" "$list"
+mkdir -p "$AUTOGRADER/source/project/build" # instead of setup.sh, which compiles for a minute
+cp -r "$BUILD"/{grade,worker,include} "$BUILD"/jail_* "$AUTOGRADER/source/project/build"
+
+run() { # sets $out to results.json, and $status
+    status=0
+    bash "$AUTOGRADER/source/run_autograder" >"$work/log" 2>&1 || status=$?
+    out=$(cat "$AUTOGRADER/results/results.json" 2>&1)
+}
+valid() { python3 -c 'import json,sys,jsonschema; jsonschema.validate(json.load(sys.stdin), json.load(open("grader/report/gradescope.schema.json")))' 2>&1; }
+cp solutions/03-shadow-map/{lab.c,shadow.frag} "$AUTOGRADER/submission"
+run
+[[ $status == 0 && $(field 'r["score"], all(t["status"] == "passed" for t in r["tests"])') == "(100.0, True)" ]] && ok || bad "files of a solution" "$out$(cat "$work/log")"
+[[ -z $(valid <<<"$out") ]] && ok || bad "results.json" "$(valid <<<"$out")"
+mkdir "$AUTOGRADER/submission/03-shadow-map" && cp labs/03-shadow-map/{lab.c,shadow.frag} "$AUTOGRADER/submission/03-shadow-map"
+rm "$AUTOGRADER"/submission/*.*
+run
+[[ $status == 0 && $(field 'r["score"], len(r["tests"])') == "(0.0, 10)" ]] && ok || bad "a folder with the skeleton" "$out$(cat "$work/log")"
+[[ -z $(valid <<<"$out") && $(field '"is not done" in r["tests"][0]["output"]') == True ]] && ok || bad "causes" "$out"
+[[ -z $(valid <<<'{"score": "all", "tests": []}') ]] && bad "the schema takes a score that is no number" || ok
+rm "$AUTOGRADER/source/project/build/worker"
+run
+[[ $status == 3 && ! -e $AUTOGRADER/results/results.json ]] && ok || bad "a fault of ours is not 0 points" "$out"
+
+finish

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# The student's kit: no answer is in it, and it grades like the project.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+
+SEEDS="1 2" grader/scripts/make_kit "$BUILD" 03 >"$work/log" 2>&1 && ok || bad "make_kit" "$(cat "$work/log")"
+tar -xzf "$BUILD/shadow-lab-kit.tar.gz" -C "$work" && kit=$work/shadow-lab
+
+# No answer.
+out=$(grader/tests/helpers/find_answers "$kit") && ok || bad "an answer is in the kit" "$out"
+[[ ! -e $kit/solutions && ! -e $kit/grader/tests && ! -e $kit/.git ]] && ok || bad "not for students" "$(ls -a "$kit" "$kit/grader")"
+diff -r -x '*.backup-*' labs "$kit/labs" >"$work/diff" && ok || bad "labs/ is the one of the project" "$(cat "$work/diff")"
+grep -q edits "$kit"/grader/recorded/03-*/*.json && bad "the kit tells how mistakes are made" || ok
+# The search finds what is there.
+finds() { # NAME PATTERN
+    out=$(grader/tests/helpers/find_answers "$kit")
+    [[ $? == 1 && $out == *"$2"* ]] && ok || bad "$1 is not found" "$out"
+}
+cp solutions/03-shadow-map/mistakes.json "$kit/grader/recorded/03-shadow-map/leak.json"
+finds "a mistake's patch" "leak.json"
+rm "$kit/grader/recorded/03-shadow-map/leak.json"
+echo '// if (position_map.z > 1.0)' >"$kit/common/leak.h"
+finds "an answer in a comment" "common/leak.h: if (position_map.z > 1.0)"
+rm "$kit/common/leak.h"
+
+# It grades the same: with the binaries of the project, which are made of the same sources.
+for file in grader/*/*.c common/*.c common/scene/*.c; do
+    [[ ! -e $kit/$file ]] || cmp -s "$file" "$kit/$file" || bad "$file differs in the kit"
+done
+mkdir "$kit/build" && cp -r "$BUILD"/{grade,watch,worker,include} "$kit/build" && cp "$BUILD"/jail_* "$kit/build"
+half=$(solved half 03)
+sed -i 's/lit \* diffuse_specular/(0.5 + 0.5 * lit) * diffuse_specular/' "$half/03-shadow-map/shadow.frag"
+mistaken=$(solved mistaken 03)
+sed -i 's/? 0.0 : 1.0/? 1.0 : 0.0/' "$mistaken/03-shadow-map/shadow.frag"
+times() { grep -vE '"(seconds|speed_ratio)"'; }
+right=$(solved right 03)
+rm "$work"/{half,mistaken,right}/03-*/{*.json,pictures} # of which students know nothing
+for submission in labs "$half" "$mistaken" "$right"; do
+    grades --lab 03 --seed 2 --trusted --format json "$submission" 2>/dev/null
+    there=$(times <<<"$out")
+    grade=$kit/build/grade
+    grades --lab 03 --seed 2 --trusted --format json "$submission"
+    [[ $(times <<<"$out") == "$there" ]] && ok || bad "the kit grades $submission otherwise" "$(diff <(echo "$there") <(times <<<"$out"))"
+    grade=$root/$BUILD/grade
+done
+grade=$kit/build/grade
+grades --lab 03 --trusted "$half"
+expect "the kit chooses a recorded seed" 1 "of 100 points (seed "
+[[ $out =~ seed\ [12], && $out != *ignored* ]] && ok || bad "not a recorded seed, or handouts are ignored files" "$out"
+grades --lab 03 --seed 7 --trusted "$half"
+expect "a seed that is not recorded" 3 "seed 7 is not recorded here"
+rm "$kit"/grader/recorded/03-shadow-map/exam-1-02.png
+grades --lab 03 --seed 1 --trusted "$half"
+expect "a frame that is missing" 3 "exam-1-02.png"
+
+# The watch, hints and reset.
+run() { status=0; out=$("$@" 2>&1 </dev/null) || status=$?; }
+run env SHADOW_LAB_PROGRESS="$work/progress" "$kit/build/watch" --lab 03 --seed 2
+expect "the watch" 1 "3.1"
+run "$kit/grader/scripts/hint" 3.2
+expect "hints" 0 "Hint 1 of 2 for task 3.2"
+cp "$half"/03-shadow-map/lab.c "$kit/labs/03-shadow-map"
+run "$kit/grader/scripts/reset" 03
+expect "reset" 0 "is the skeleton again"
+cmp -s labs/03-shadow-map/lab.c "$kit/labs/03-shadow-map/lab.c" && ok || bad "reset in the kit"
+
+finish

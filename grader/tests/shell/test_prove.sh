@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# The rubrics: solutions, skeletons, mistakes and alternatives of every lab over ten seeds, two labs side by side; and a
+# catalogue with a fault is refused.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+
+ls solutions | grep -oE '^[0-9]{2}' | xargs -P2 -I{} sh -c "$BUILD/prove --lab {} --seeds 10 >$work/{} 2>&1"
+for proof in "$work"/[0-9][0-9]; do
+    counts=$(grep -oE '^[0-9]+ passed, [0-9]+ failed' "$proof") || counts="0 passed, 1 failed"
+    passed=$((passed + ${counts%% *}))
+    right=${counts#*, }
+    failed=$((failed + ${right%% *}))
+    grep -vE '\| (named|as it should be) \|$|^\| ?(lab|---)|^\|---|passed,' "$proof"
+    [[ $(grep -c '| mistake |' "$proof") -ge 10 && $(grep -c '| alternative |' "$proof") -ge 4 ]] && ok ||
+        bad "lab $(basename "$proof") has less than 10 mistakes or 4 alternatives"
+done
+finish

@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# The checkers themselves: fed something wrong, each must refuse it. Works in a copy of the project.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+
+copy=$work/copy
+mkdir -p "$copy/build"
+cp -r "$root"/{Makefile,common,shaders,labs,solutions,grader,.clang-format} "$copy"
+mkdir -p "$root/$BUILD/cache"
+cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
+cd "$copy" || exit 1
+three=solutions/03-shadow-map
+
+runs() { status=0; out=$("$@" 2>&1) || status=$?; }
+# with FILE PROGRAM COMMAND...: runs the command while python changed the JSON (j) of the file, then puts it back.
+with() {
+    local file=$1 program=$2
+    shift 2
+    cp "$file" "$work/kept"
+    python3 -c 'import json,sys; j=json.load(open(sys.argv[1])); exec(sys.argv[2]); json.dump(j, open(sys.argv[1], "w"))' "$file" "$program"
+    runs "$@"
+    cp "$work/kept" "$file"
+}
+prove=(build/prove --lab 03 --seeds 1)
+
+# The rubric's proof.
+with $three/mistakes.json 'j[:] = [dict(j[0], name="harmless", edits=[dict(file="lab.c", find="LIGHT_DIRECTIONAL)", replace="1 * LIGHT_DIRECTIONAL)")])]' "${prove[@]}"
+expect "a mistake that is none" 1 "harmless | 100 | 100 | WRONG: not below the pass mark" ", 1 failed"
+with $three/mistakes.json 'j[1]["edits"] = j[2]["edits"]; j[1]["task"] = j[2]["task"]; j[:] = j[1:3]' "${prove[@]}"
+expect "two mistakes with one picture" 1 "WRONG:"
+with $three/alternatives.json 'j[:] = [dict(name="wrong", edits=[dict(file="shadow.frag", find="? 0.0 : 1.0", replace="? 1.0 : 0.0")])]' "${prove[@]}"
+expect "an alternative that is wrong" 1 "alternative | wrong" "WRONG: comparison: spot light"
+with $three/mistakes.json 'j[0]["edits"][0]["find"] = "no such text"' "${prove[@]}"
+expect "an edit without its text" 1 "stands there nowhere: no such text"
+with $three/rubric.json 'j["checks"][0]["scene"] = "moon"' "${prove[@]}"
+expect "an unknown scene" 1 'there is no scene "moon"; the scenes are'
+with $three/rubric.json 'j["checks"][0]["view"] = "moon"' "${prove[@]}"
+expect "an unknown stage" 1 'the lab has no stage "moon"'
+with $three/rubric.json 'j["checks"][6]["scene"] = "table sun"' build/grade --lab 03 --seed 1 labs
+expect "a check whose task does not show" 3 'check "lit outside the map": seed 1 gives only' "of 3 variants in which the task shows" "mend the rubric"
+
+# The gates.
+export SKIP_TIDY=1
+runs grader/scripts/gates build
+expect "the gates of the project as it is" 0 ", 0 failed"
+# broken NAME PATTERN COMMAND: the gates after the shell command; then everything is put back.
+broken() {
+    bash -c "$3"
+    runs grader/scripts/gates build
+    expect "$1" 1 "$2"
+    rm -rf labs solutions common && cp -r "$root"/{labs,solutions,common} .
+}
+broken "labs/ edited by hand" "FAILED: labs/ is what solutions/ make of it" "echo >>labs/03-shadow-map/shadow.frag"
+broken "a task without a hint" "FAILED: 03-shadow-map: task ids agree" "sed -i 's/\"3.4\": \\[/\"3.44\": [/' $three/hints.json"
+broken "a task that the handout forgets" "FAILED: 03-shadow-map: task ids agree" "sed -i '/^| 3.5 /d' $three/README.md && build/skeletons labs"
+broken "points that do not sum to 100" "FAILED: 03-shadow-map: 100 points" "sed -i 's/\"points\": 10/\"points\": 11/' $three/rubric.json"
+broken "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds without warnings" "sed -i 's/    (void)light;//' $three/lab.c && sed -i 's/^static void destroy/static int unused;\n&/' $three/lab.c && build/skeletons labs"
+broken "a long file" "FAILED: files of at most 300 lines" "seq -f '// %g' 301 >common/long.h"
+broken "a long student file" "FAILED: student files of at most 120 lines" "seq -f '// %g' 121 >>$three/shadow.frag && build/skeletons labs"
+broken "common/ that knows a lab" "FAILED: floors: common/ knows neither labs" "echo '// see solutions/03' >>common/scene/random.h"
+broken "GL below the floor line" "FAILED: floors: common/ without GL" "sed -i 's/#include \"random.h\"/&\n#include \"gl.h\"/' common/scene/random.c"
+broken "a missing picture" "picture.png is missing" "rm labs/03-shadow-map/map.png labs/03-shadow-map/picture.png"
+
+# Students' helpers.
+echo "// mine" >>labs/03-shadow-map/shadow.frag
+runs grader/scripts/reset 03
+expect "reset" 0 "your files are kept in labs/03-shadow-map.backup-"
+tail -1 labs/03-shadow-map.backup-*/shadow.frag | grep -q mine && cmp -s labs/03-shadow-map/shadow.frag "$root/labs/03-shadow-map/shadow.frag" && ok || bad "reset keeps the old and restores the new"
+for n in 1 2; do echo "// again $n" >>labs/03-shadow-map/shadow.frag && runs grader/scripts/reset 03; done
+[[ $(cat labs/03-shadow-map.backup-*/shadow.frag | grep -cE '^// (mine|again)') == 3 ]] && ok || bad "each reset keeps its own backup" "$(ls labs)"
+runs grader/scripts/reset 03
+expect "reset of a skeleton" 0 "is the skeleton already"
+runs grader/scripts/reset 77
+expect "reset of no lab" 2 "which lab?"
+runs grader/scripts/hint 3.2
+expect "hint" 0 "Hint 1 of 2 for task 3.2"
+runs grader/scripts/hint 3.77
+expect "hint of no task" 1 "has no task 3.77"
+runs grader/scripts/hint
+expect "hint without a task" 2 "make hint TASK=3.2"
+runs common/setup --frobnicate
+expect "setup with a wrong option" 2 "usage: common/setup"
+runs env PATH=/usr/bin:/bin:/usr/sbin:/sbin common/setup
+expect "setup with nothing missing" 0
+[[ -z $out ]] && ok || bad "setup is silent when nothing is missing" "$out"
+mkdir "$work/bin" && for tool in bash dirname cat grep sort paste tr ldconfig; do ln -s "$(command -v $tool)" "$work/bin/"; done
+runs env PATH="$work/bin" common/setup
+expect "setup without apt-get" 1 "setup: missing: make gcc" "sudo dnf install" "sudo pacman -S" "brew install"
+
+finish

@@ -1,0 +1,109 @@
+#!/usr/bin/env bash
+# The course site: every link leads somewhere, every formula is MathML, the pages are accessible, wrong input is refused.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+browser=grader/tests/browser
+for tool in node npm cmark-gfm chromium; do
+    command -v $tool >/dev/null || { echo "skipped: $tool is not here (common/setup --check)"; echo "0 passed, 0 failed"; exit 0; }
+done
+runs() { status=0; out=$("$@" 2>&1) || status=$?; }
+runs flock $browser/package.json make --no-print-directory BUILD="$work" grader/site/node_modules/.package-lock.json $browser/node_modules/.package-lock.json
+expect "npm" 0
+runs node grader/site/build.mjs "$work/site"
+expect "the site is built" 0 "11 pages"
+
+# An eye of its own, with Python's parser: what is counted here is not what the site's builder counted.
+cat >"$work/look.py" <<'PYTHON'
+import html.parser, pathlib, re, sys, urllib.parse
+class Page(html.parser.HTMLParser):
+    def __init__(self, file):
+        super().__init__()
+        self.ids, self.links, self.text, self.stack, self.math, self.next = set(), [], "", [], 0, None
+        self.feed(file.read_text())
+    def handle_starttag(self, tag, attributes):
+        a = dict(attributes)
+        self.ids.add(a.get("id"))
+        self.links += [a[k] for k in ("href", "src") if k in a]
+        self.math += tag == "math"
+        if a.get("rel") == "next": self.next = a["href"]
+        if tag not in ("img", "meta", "br", "hr", "link"): self.stack.append(tag)
+    def handle_endtag(self, tag):
+        if tag in self.stack:
+            while self.stack.pop() != tag: pass
+    def handle_data(self, data):
+        if not {"code", "pre", "annotation", "style"} & set(self.stack): self.text += data
+site = pathlib.Path(sys.argv[1])
+pages = {f.name: Page(f) for f in site.glob("*.html")}
+wrong = 0
+def say(*words):
+    global wrong
+    wrong += 1
+    print(*words)
+for name, page in pages.items():
+    for link in page.links:
+        if re.match(r"https?:", link): continue
+        path, _, anchor = link.partition("#")
+        target = urllib.parse.unquote(path) or name
+        if not (site / target).is_file(): say(name, "links to", link, "which is not there")
+        elif anchor and anchor not in pages[target].ids: say(name, "links to", link, "whose anchor is not there")
+    if "$" in page.text: say(name, "shows a raw $:", page.text[max(0, page.text.index("$") - 40):][:90])
+    if "xFORMULAx" in page.text or "katex-error" in (site / name).read_text(): say(name, "has a formula that failed")
+for source in sys.argv[2:]:
+    text = re.sub(r"(?ms)^```.*?^```", "", pathlib.Path(source).read_text())
+    text = re.sub(r"(?m)^ {4}.*$", "", re.sub(r"`[^`]+`", "", text))
+    count = len(re.findall(r"(?s)\$\$.+?\$\$|\$[^$]+\$", text))
+    name = {"README.md": "index", "common/DEBUGGING.md": "debugging", "grader/README.md": "grader"}.get(source, ("/" + source).split("/")[-2]) + ".html"
+    if pages[name].math != count: say(name, "has", pages[name].math, "formulas,", source, "has", count)
+name, way = "index.html", []
+while name: way.append(name); name = pages[name].next
+if way != ["index.html", *sorted(n for n in pages if n[0].isdigit()), "debugging.html", "grader.html"]: say("the way through the lectures is", way)
+print(len(pages), "pages", sum(p.math for p in pages.values()), "formulas")
+sys.exit(wrong > 0)
+PYTHON
+look() { runs python3 "$work/look.py" "$work/site" "${sources[@]}"; }
+sources=(README.md labs/[0-9][0-9]-*[!0-9]/README.md common/DEBUGGING.md grader/README.md)
+look
+expect "links, formulas, the way through" 0 " formulas"
+grep -qE '[1-9][0-9]+ formulas' <<<"$out" && ok || bad "there are formulas" "$out"
+
+# In a browser: all pages (but only one listing).
+mapfile -t shown < <(ls "$work"/site/*.html | grep -v /file-; ls "$work"/site/file-*.html | head -1)
+runs node $browser/audit.mjs "${shown[@]}"
+expect "nothing wrong in a browser" 0
+
+# The checkers see what is wrong.
+cp -r "$work/site" "$work/kept"
+sed -i 's/href="02-framebuffers.html"/href="02-nothing.html"/; s/<h2/<p>a raw $ sign<\/p><h2/; 0,/<math/s/<math/<span/' "$work/site/03-shadow-map.html"
+rm "$work/site/pictures/03-shadow-map/map.png"
+look
+expect "a damaged site" 1 "links to 02-nothing.html" "links to pictures/03-shadow-map/map.png" "a raw $" "03-shadow-map.html has"
+sed -i 's/<h2/<img src="none.png"><button><\/button><h2/' "$work/site/04-acne-and-bias.html"
+runs node $browser/audit.mjs "$work/site/04-acne-and-bias.html"
+expect "a page that is not accessible" 1 "broken picture" "axe image-alt" "axe button-name"
+
+# The builder refuses what it cannot show, and leaves code alone.
+copy=$work/copy
+mkdir "$copy"
+cp -r README.md LICENSE common shaders labs solutions grader "$copy"
+cd "$copy" || exit 1
+page=labs/03-shadow-map/README.md
+cp $page "$work/page"
+printf '\n$\\frac{1}$\n' >>$page
+runs node grader/site/build.mjs "$work/none"
+expect "a wrong formula" 1 "$page: the formula" "is wrong"
+{ cat "$work/page"; printf '\n[where?](nowhere.md)\n'; } >$page
+runs node grader/site/build.mjs "$work/none"
+expect "a link that leads nowhere" 1 "$page: the link to nowhere.md leads nowhere"
+mv solutions elsewhere
+runs node grader/site/build.mjs "$work/none"
+expect "the same in a kit, which lacks some files" 0 "pages"
+mv elsewhere solutions
+{ cat "$work/page"; printf '\nPay $5 or `$HOME$`, `` `$x$` ``: $a_1 * b_2 * c$ and 6$.\n\n```sh\necho $1 $2\n```\n\n    set $HOME$ aside\n\n| $|x|$ | b |\n|---|---|\n| $y$ | $|z|$ |\n'; } >$page
+runs node grader/site/build.mjs "$work/none"
+expect "dollars in code and prose" 0
+out=$(tail -40 "$work/none/03-shadow-map.html")
+for text in '<code>$HOME$</code>' '<code>`$x$`</code>' 'echo $1 $2' 'set $HOME$ aside' 'Pay $5' 'and 6$.' '<annotation encoding="application/x-tex">a_1 * b_2 * c</annotation>' '>|z|</annotation>'; do
+    grep -qF -- "$text" <<<"$out" && ok || bad "no $text" "$out"
+done
+finish

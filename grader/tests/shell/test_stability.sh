@@ -1,0 +1,88 @@
+#!/usr/bin/env bash
+# The stability suite: all rows pass, the JSON and the page are what they promise, and a method with a fault fails.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+study=$work/study
+
+suite() { status=0; out=$("$BUILD/stability" --output "$study" "$@" 2>&1) || status=$?; }
+json() { # an expression over the rows of the latest run
+    python3 -c 'import json,sys; rows = json.load(open(sys.argv[1]))["rows"]; print(eval(sys.argv[2]))' \
+        "$study/stability.json" "$1"
+}
+valid() {
+    python3 -c 'import json,sys,jsonschema
+jsonschema.validate(json.load(sys.stdin), json.load(open("grader/stability/schema.json")))' 2>/dev/null
+}
+
+# All 31 rows; under the sanitizers a few.
+rows=({1..31})
+[[ -n ${QUICK:-} ]] && rows=(2 5 17 24 30)
+mapfile -t chosen < <(printf -- '--row\n%s\n' "${rows[@]}")
+suite "${chosen[@]}"
+expect "all rows pass" 0
+[[ $(grep -E '^ ?[0-9]+  (pass|not-built) ' <<<"$out" | awk '{ print $1 }' | xargs) == "${rows[*]}" ]] &&
+    ok || bad "there is a line for each row" "$out"
+[[ $(json '" ".join(str(r["id"]) for r in rows)') == "${rows[*]}" ]] && ok || bad "the JSON has all rows" "$out"
+valid <"$study/stability.json" && ok || bad "the JSON fits its schema"
+sed 's/"status": "pass"/"status": "fine"/' "$study/stability.json" | valid && bad "a wrong status fits it" || ok
+passing='[r for r in rows if r["status"] == "pass"]'
+curves="all(c['holds'] and c['points'] for f in r['figures'] for c in f['curves'])"
+[[ $(json "all(r['figures'] and $curves for r in $passing)") == True ]] && ok ||
+    bad "rows that pass have curves, and all of them hold"
+absent='[r for r in rows if r["status"] == "not-built"]'
+[[ $(json "all(r['figures'] == [] and r['measured'] is None for r in $absent)") == True ]] && ok ||
+    bad "rows that are not built claim nothing"
+
+# The page needs no network and has every row, its figure and its frames.
+page=$study/stability.html
+count() { grep -o "$1" "$page" | wc -l; }
+[[ $(count '<section id="row-') == "${#rows[@]}" ]] && ok || bad "the page has all rows"
+[[ $(count 'data:image/svg+xml;base64,') == $(json 'sum(r["figure"] is not None for r in rows)') ]] &&
+    [[ $(count 'data:image/png;base64,') == $(json 'sum(len(r["frames"]) for r in rows)') ]] &&
+    ok || bad "the page has all figures and frames"
+grep -qE '(src|href)="?https?:' "$page" && bad "the page needs the network" || ok
+python3 -c 'import sys,xml.dom.minidom as d; [d.parse(f) for f in sys.argv[1:]]' "$study"/*.svg && ok ||
+    bad "the figures are XML"
+
+# A row alone gives the same numbers.
+all=$(json 'json.dumps(next(r for r in rows if r["id"] == 17))')
+suite --row 17
+expect "one row" 0 "17  pass"
+[[ $(json 'json.dumps(rows[0])') == "$all" ]] && ok || bad "a row alone gives the same numbers"
+
+# faulty ROW LAB MISTAKE: the row must fail when the lab draws with this mistake.
+faulty() {
+    suite --row "$1" --mistake "$2:$3"
+    expect "row $1 fails when $3" 1 "$1  fail"
+}
+faulty 2 04 "the bias is halved: it is taken in [-1, 1], not in the map's [0, 1]"
+faulty 3 04 "the factor is left at 0: the offset does not depend on the slope"
+faulty 6 04 "the cosine is used where the sine belongs"
+faulty 7 04 "the bias has the wrong sign"
+faulty 11 03 "the test for points behind the light is inverted"
+faulty 13 03 "the size of the map is fixed"
+faulty 15 05 "the kernel is not centred on the point"
+faulty 16 06 "the square root is missing: the samples crowd in the middle"
+faulty 17 06 "the innermost samples come first"
+faulty 18 03 "the size of the map is fixed"
+faulty 19 07 "back faces are culled"
+faulty 22 07 "z-fail keeps the depth function GL_LESS"
+faulty 23 07 "the far caps are wound like the near ones"
+faulty 24 07 "the volumes have a fixed length"
+faulty 28 08 "directions are uniform, not cosine-weighted"
+faulty 29 08 "the length of the rays is not limited"
+[[ $(json 'rows[0]["status"]') == fail ]] && ok || bad "the JSON says so"
+
+# What a user can get wrong.
+suite --row 99
+expect "an unknown row" 2 "--row takes the number of a row, 1 to 31"
+suite --mistake "04"
+expect "a mistake without a name" 2 "--mistake takes NN:NAME"
+suite --row 2 --mistake "04:no such thing"
+expect "an unknown mistake" 1 "no mistake \"no such thing\"" "1 of 1 rows fail"
+suite surplus
+expect "a surplus argument" 2 "\"surplus\" is not an option"
+suite --row 30 --output /proc/nowhere
+expect "a folder that cannot be made" 1 "/proc/nowhere"
+finish

@@ -1,0 +1,80 @@
+#!/usr/bin/env bash
+# The study from outside, on tiny pictures: the table, the pictures, going on after a kill, a wrong submission, bad usage.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+chart=$root/$BUILD/chart
+studies() { status=0; out=$("$chart" --size 64x48 --frames 2 "$@" 2>&1) || status=$?; }
+
+# table FILE EXPRESSION: python's value of the expression over the rows of a chart.csv.
+table() { python3 -c 'import csv,sys; rows=list(csv.DictReader(open(sys.argv[1]))); print(eval(sys.argv[2]))' "$1" "$2"; }
+
+studies --scene volumes --output "$work/one"
+expect "a study of one scene" 0 "volumes: " "chart.html"
+csv=$work/one/chart.csv
+[[ $(table "$csv" 'len(rows), {len(r) for r in rows}, None in rows[0]') == "(19, {27}, False)" ]] && ok ||
+    bad "chart.csv has 19 rows of 27 named fields" "$(table "$csv" 'len(rows), {len(r) for r in rows}')"
+[[ $(table "$csv" 'all(float(r[k]) >= 0 for r in rows for k in list(r)[5:])') == True ]] && ok || bad "chart.csv holds numbers"
+[[ $(table "$csv" 'all(abs(float(r["false_shadow"]) + float(r["false_light"]) - float(r["error"])) < 1e-6 for r in rows)') == True ]] &&
+    ok || bad "false shadow and false light add up"
+[[ $(table "$csv" '{r["frames"] for r in rows}, sum(r["chosen"] == "1" for r in rows)') == "({'2'}, 1)" ]] && ok ||
+    bad "two frames of each setting, one is chosen"
+[[ $(table "$csv" 'all(float(r["fragments"]) > 0 for r in rows if "volumes" in r["method"])') == True ]] && ok || bad "volumes have fragments"
+python3 -c 'import sys, xml.dom.minidom as x; x.parse(sys.argv[1])' "$work/one/volumes.svg" && ok || bad "the SVG is XML"
+(($(wc -c <"$work/one/volumes.svg") < 100000)) && ok || bad "the SVG fits into a README"
+grep -qE '(src|href)="?https?:' "$work/one/chart.html" && bad "the page needs no network" || ok
+[[ $(grep -oF '"frame":"data:image/png;base64,' "$work/one/chart.html" | wc -l) == 19 ]] && ok || bad "the page holds each setting's frame"
+[[ $(grep -c '^errors' "$work/one/state") == 19 && $(grep -c '^time' "$work/one/state") == 38 ]] && ok || bad "the state has each measurement once"
+
+browses chart.mjs "$work/one/chart.html"
+
+# Killed at any time, it goes on: nothing that is on disk is measured again.
+"$chart" --size 64x48 --frames 4 --scene edges --output "$work/two" >/dev/null 2>&1 &
+pid=$!
+for _ in $(seq 400); do
+    lines=$(grep -c '^time' "$work/two/state" 2>/dev/null)
+    ((${lines:-0} > 20)) && break
+    sleep 0.05
+done
+kill -9 $pid
+wait $pid 2>/dev/null
+cp "$work/two/state" "$work/before"
+[[ ! -e $work/two/chart.csv ]] && ok || bad "a study that was killed leaves no table"
+status=0 out=$("$chart" --size 64x48 --frames 4 --scene edges --output "$work/two" 2>&1) || status=$?
+expect "goes on after kill -9" 0 "edges: "
+cmp -s -n "$(wc -c <"$work/before")" "$work/before" "$work/two/state" && ok || bad "the state only grows"
+[[ $(grep '^time' "$work/two/state" | cut -d' ' -f2 | sort | uniq -c | awk '{ print $1 }' | sort -u) == 4 ]] && ok ||
+    bad "each setting has 4 frames in all"
+[[ $(table "$work/two/chart.csv" '{r["frames"] for r in rows}') == "{'4'}" ]] && ok || bad "the table counts them"
+
+# A submission without bias lies far off; the solution as a submission lies on our points.
+submission=$(solved wrong 05)
+sed -i 's/glPolygonOffset(2 \* reach, 2)/glPolygonOffset(0, 0)/' "$submission"/05-*/lab.c
+studies --scene volumes --lab 05 --submission "$submission" --output "$work/one"
+expect "a submission on the chart" 0 "volumes: "
+worst='[float(r["interior_false_shadow"]) for r in rows if r["whose"] == "%s" and r["method"] == "linear" and "4096" not in r["setting"]]'
+[[ $(table "$csv" "min(${worst/\%s/submission}) > 0.05 > 50 * max(${worst/\%s/ours})") == True ]] && ok ||
+    bad "no bias: acne" "$(table "$csv" "${worst/\%s/submission}, ${worst/\%s/ours}")"
+[[ $(grep -c '^time' "$work/one/state") == $((38 + 20)) ]] && ok || bad "ours are not measured again"
+right=$(solved right 05)
+studies --scene volumes --lab 05 --submission "$right/05-pcf" --output "$work/one"
+errors='[r["error"] for r in rows if r["whose"] == "%s" and r["lab"] == "05"]'
+[[ $(table "$csv" "${errors/\%s/submission} == ${errors/\%s/ours}") == True ]] && ok || bad "a right submission errs as we do"
+
+# A submission that does not compile is said to be so, and ours are charted.
+echo "int" >"$right/05-pcf/lab.c"
+studies --scene volumes --lab 05 --submission "$right" --output "$work/one"
+expect "a submission that does not compile" 0 "not drawn: " "lab.c"
+
+studies --scene nowhere
+expect "unknown scene" 2 'there is no scene "nowhere"' "penumbra"
+studies --submission labs
+expect "a submission without its lab" 2 "--lab"
+studies --lab 01 --output "$work/three"
+expect "a lab without settings" 1 "no scene of the study has settings of lab 01"
+status=0 out=$("$chart" --compare "$csv" "$csv" 2>&1) || status=$?
+expect "compare a table with itself" 0 "0 swapped"
+status=0 out=$("$chart" --compare "$csv" "$work/nothing.csv" 2>&1) || status=$?
+expect "compare with a file that is not there" 2 "nothing.csv"
+status=0 out=$("$chart" --frames 0 2>&1) || status=$?
+expect "no frames" 2 "a number from 1"
+finish

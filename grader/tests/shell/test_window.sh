@@ -1,0 +1,163 @@
+#!/usr/bin/env bash
+# The window on a display of its own (Xvfb): its pictures are the headless ones bit for bit, keys do what they say, saved
+# files show at once, and neither errors nor loops nor crashes of a lab take it down.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+view=$root/$BUILD/view frame=$root/$BUILD/frame
+scene="table spot" size=240x180
+patience=${QUICK:+6} patience=$((150 * ${patience:-1})) # tenths of a second; sanitizers are slow
+export TMPDIR=$work/tmp && mkdir "$TMPDIR"
+export ASAN_OPTIONS=detect_leaks=0 # of the X11 and GL libraries; the worker has none either
+
+mkfifo "$work/display"
+Xvfb -displayfd 3 -screen 0 1024x768x24 -noreset -nolisten tcp 3>"$work/display" 2>/dev/null &
+xvfb=$!
+trap 'kill $xvfb; rm -rf "$work"' EXIT
+read -r number <"$work/display"
+export DISPLAY=:$number
+
+# wait_for NAME COMMAND...: the command succeeds in time.
+wait_for() {
+    local name=$1 i
+    shift
+    for ((i = 0; i < patience; i++)); do
+        "$@" && ok && return
+        sleep 0.1
+    done
+    bad "$name" "$(cat "$work/log"; xdotool getwindowname "$window")"
+}
+open_window() { # ARGUMENTS...
+    "$view" --lab 03 --scene "$scene" --size $size --bare "$@" >"$work/log" 2>&1 &
+    pid=$!
+    local i
+    for ((i = 0; i < patience; i++)); do
+        window=$(xdotool search --onlyvisible --pid $pid 2>/dev/null | tail -1)
+        [[ -n $window ]] && return
+        sleep 0.1
+    done
+    bad "a window opens" "$(cat "$work/log")"
+}
+close_window() {
+    kill $pid
+    wait $pid
+}
+headless() { "$frame" --lab 03 --scene "$scene" --size $size "$@" "$work/wanted.png"; }
+same() { [[ $(compare -metric AE "$1" "$2" null: 2>&1) == 0 ]]; }
+shows() { import -window "$window" "$work/now.png" && same "$work/now.png" "$work/wanted.png"; }
+keeps() { import -window "$window" "$work/now.png" && ! same "$work/now.png" "$work/wanted.png"; }
+titled() { [[ $(xdotool getwindowname "$window") == *"$1"* ]]; }
+told() { grep -qF -- "$1" "$work/log"; }
+keys() { xdotool key --window "$window" "$@"; }
+
+status=0 out=$("$view" 2>&1) || status=$?
+expect "no lab" 2 "make run LAB=05" "usage: build/view"
+status=0 out=$("$view" --lab 03 --scene nowhere 2>&1) || status=$?
+expect "no such scene" 1 'there is no scene "nowhere"'
+status=0 out=$(DISPLAY=:$((number + 1000)) "$view" --lab 03 2>&1) || status=$?
+expect "no display" 1 "view: the window:"
+
+# Screenshots, without any scaling between worker and screen.
+headless --skeleton
+"$view" --lab 3 --scene "$scene" --size $size --screenshot "$work/shot.png" >/dev/null && same "$work/shot.png" "$work/wanted.png" && ok || bad "mine is the skeleton's picture"
+headless --view "shadow map" --knob "map size=128"
+"$view" --lab 03 --scene "$scene" --size $size --show reference --view "shadow map" --knob "map size=128" --screenshot "$work/shot.png" >/dev/null &&
+    same "$work/shot.png" "$work/wanted.png" && ok || bad "the reference's shadow map"
+if [[ -x $root/$BUILD/truth_worker ]]; then
+    headless --view visibility --knob "map size=2048"
+    "$view" --lab 03 --scene "$scene" --size $size --show truth --screenshot "$work/shot.png" >/dev/null
+    wrong=$(compare -metric AE "$work/shot.png" "$work/wanted.png" null: 2>&1)
+    [[ $wrong =~ ^[0-9]+$ ]] && ((wrong > 0 && wrong < 240 * 180 / 40)) && ok || bad "the truth is near the visibility of a fine shadow map: $wrong pixels differ"
+fi
+
+# Keys.
+open_window
+headless --skeleton
+wait_for "the window shows the skeleton" shows
+keys 2
+headless
+wait_for "2 shows the reference" shows
+wait_for "the title says so" titled "reference: picture of \"$scene\", seed 1"
+keys Right
+headless --knob "map size=1024"
+wait_for "right doubles the map" shows
+keys BackSpace n
+headless --seed 2
+wait_for "backspace and n: the default, another variant" shows
+keys v v
+headless --seed 2 --view "shadow map"
+wait_for "v v: the shadow map" shows
+keys shift+v shift+v shift+n 3
+headless && cp "$work/wanted.png" "$work/solution.png" && headless --skeleton
+without_line() { convert "$1" -fill black -draw "rectangle 116,0 124,179" "$1"; }
+convert "$work/wanted.png" \( "$work/solution.png" -crop 120x180+120+0 +repage \) -geometry +120+0 -composite "$work/wanted.png"
+without_line "$work/wanted.png"
+halves() { import -window "$window" "$work/now.png" && without_line "$work/now.png" && same "$work/now.png" "$work/wanted.png"; }
+wait_for "3 shows mine and the reference" halves
+xdotool windowsize "$window" 300 200
+keys 2
+size=300x200 headless
+wait_for "a resized window" shows
+keys a
+wait_for "a turns the camera" keeps
+keys r
+wait_for "r turns it back" shows
+keys space
+wait_for "space lets the light swing" keeps
+close_window
+
+# Saved files.
+solved lab >/dev/null
+c=$work/lab/03-shadow-map/lab.c shader=$work/lab/03-shadow-map/shadow.frag
+cp "$c" "$work/lab.c" && cp "$shader" "$work/shadow.frag"
+restore() { cp "$work/lab.c" "$c" && cp "$work/shadow.frag" "$shader"; }
+in_map() { sed -i "s|^static void draw_map(const Frame \*frame) {|&\n    $1|" "$c"; }
+size=240x180 timeout=${QUICK:+8} timeout=${timeout:-2}
+open_window --submission "$work/lab" --timeout "$timeout"
+headless
+wait_for "the solution as a submission" shows
+keys d d && sleep 0.3
+sed -i 's/o_color = vec4(ambient + lit/o_color = vec4(2.0 * ambient + lit/' "$shader"
+wait_for "a saved shader shows" keeps
+restore && keys r
+wait_for "and so does the restored one" shows
+sed -i 's/float lit = visibility/float lit = visibilty/' "$shader"
+wait_for "a shader's error is told with its line" told "shadow.frag:$(grep -n visibilty "$shader" | cut -d: -f1):"
+wait_for "and shown over the picture" keeps
+restore
+wait_for "the error goes when it is mended" shows
+in_map 'int x = "text" +;'
+wait_for "an error in C is told with its line" told "lab.c:$(grep -n '"text" +' "$c" | cut -d: -f1):"
+keys 2
+wait_for "the window lives on" titled "reference"
+keys 1 && restore
+wait_for "mended again" shows
+in_map '{ extern int puts(const char *); puts("said by the map pass"); }'
+wait_for "what a lab prints is seen" told "said by the map pass"
+in_map '*(volatile int *)frame->width = 1;'
+wait_for "a crash is told with its place" told "it crashed: Segmentation fault (SEGV) in shadow map (lab.c:"
+restore
+wait_for "after the crash" shows
+in_map 'for (;;) {}'
+sleep 0.5 && keys 2
+wait_for "keys work while a lab loops" titled "reference"
+wait_for "a loop is stopped" told "it was stopped after $timeout s"
+keys 1 && restore
+wait_for "after the loop" shows
+close_window && ok || bad "the window ends with status $?"
+[[ -z $(ls "$TMPDIR") ]] && ok || bad "nothing is left behind" "$(ls "$TMPDIR")"
+
+# A copy for students, without solutions.
+mkdir -p "$work/kit/$BUILD" "$work/kit/grader"
+cp "$root/$BUILD"/{view,worker} "$work/kit/$BUILD"
+for part in labs shaders common; do ln -s "$root/$part" "$work/kit/$part"; done
+ln -s "$root/grader/window" "$work/kit/grader/window"
+ln -s "$root/$BUILD/include" "$work/kit/$BUILD/include"
+view=$work/kit/$BUILD/view
+headless --skeleton
+open_window
+wait_for "the kit shows the skeleton" shows
+keys 2
+sleep 0.5
+titled "mine" && ok || bad "no reference in the kit" "$(xdotool getwindowname "$window")"
+close_window
+finish

@@ -1,0 +1,189 @@
+#include "watch/grading_process.h"
+
+#include "scene/check.h"
+#include "grade/grade_lab.h"
+#include "base/places.h"
+#include "watch/terminal.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// What the process keeps: the examiner of the lab that was graded last.
+typedef struct Kept {
+    int lab; // -1: none
+    Examiner examiner;
+} Kept;
+
+static void forget(Kept *kept) {
+    examiner_close(&kept->examiner);
+    *kept = (Kept){.lab = -1};
+}
+
+static bool keep(Kept *kept, int lab, const BenchOptions *options) {
+    if (kept->lab == lab)
+        return true;
+    forget(kept);
+    kept->lab = lab;
+    return examiner_open(&kept->examiner, options->rubrics[lab].id);
+}
+
+static void copy_check(VerdictCheck *to, const CheckResult *from) {
+    to->points = result_points(from);
+    to->passed = from->passed;
+    to->undone = from->undone;
+    snprintf(to->task, sizeof to->task, "%s", from->cause_task ? from->cause_task : from->check->task);
+    snprintf(to->mistake, sizeof to->mistake, "%s", from->mistake);
+    snprintf(to->hint, sizeof to->hint, "%s", from->hint);
+}
+
+static void copy_result(Verdict *verdict, const LabResult *result) {
+    verdict->status = result->status;
+    verdict->done = result_done(result);
+    verdict->score = result->score;
+    verdict->max_score = result->max_score;
+    memcpy(verdict->message, result->message, sizeof verdict->message);
+    memcpy(verdict->warnings, result->warnings, sizeof verdict->warnings);
+    verdict->check_count = result->check_count;
+    for (int c = 0; c < result->check_count; c++)
+        copy_check(&verdict->checks[c], &result->checks[c]);
+}
+
+static void grade(Verdict *verdict, Kept *kept, int lab, const BenchOptions *options) {
+    static LabResult result;
+    char folder[FILES_PATH];
+    const GradeOptions how = {
+        .context = options->context, .seconds = options->seconds, .seed = options->seed, .untimed = true};
+    const double start = process_now();
+    memset(verdict, 0, sizeof *verdict);
+    check_clear();
+    bool ready = keep(kept, lab, options);
+    if (!home_find_lab_in(folder, options->folder, options->rubrics[lab].id))
+        snprintf(folder, sizeof folder, "%s/%s", options->folder,
+                 strrchr(options->rubrics[lab].folder, '/') + 1);
+    check_clear();
+    verdict->fault = !ready || !grade_lab(&result, &kept->examiner, folder, &how);
+    copy_result(verdict, &result);
+    if (verdict->fault)
+        snprintf(verdict->message, sizeof verdict->message, "%s", check_message());
+    result_destroy_lab(&result);
+    verdict->lab = lab;
+    verdict->seconds = process_now() - start;
+}
+
+static bool asked(int requests) {
+    return poll(&(struct pollfd){.fd = requests, .events = POLLIN}, 1, 0) != 0;
+}
+
+// While the student thinks: draws the pictures of the catalogued mistakes, which the next diagnosis needs.
+static void warm_up(Kept *kept, int requests) {
+    const Rubric *rubric = &kept->examiner.rubric;
+    Exam *exam = kept->examiner.exam;
+    for (int m = 0; exam && m < rubric->mistake_count; m++)
+        for (int c = 0; c < rubric->check_count; c++)
+            for (int n = 0; n < rubric->checks[c].variants; n++)
+                if (asked(requests) || !exam_mistake(exam, m, c, n))
+                    return;
+}
+
+static _Noreturn void serve(const BenchOptions *options, const char *folder, int requests, int verdicts) {
+    static Kept kept = {.lab = -1};
+    static Verdict verdict;
+    int lab;
+    terminal_forget();
+    setenv("TMPDIR", folder, 1);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    signal(SIGPIPE, SIG_IGN);
+    while (read(requests, &lab, sizeof lab) == sizeof lab) {
+        grade(&verdict, &kept, lab, options);
+        for (size_t sent = 0; sent < sizeof verdict;) {
+            ssize_t n = write(verdicts, (const char *)&verdict + sent, sizeof verdict - sent);
+            if (n <= 0)
+                break;
+            sent += (size_t)n;
+        }
+        if (verdict.fault)
+            break;
+        warm_up(&kept, requests);
+    }
+    forget(&kept);
+    _exit(0);
+}
+
+static bool start(Bench *bench) {
+    int requests[2], verdicts[2];
+    if (!files_make_temporary(bench->folder))
+        return false;
+    if (pipe2(requests, O_CLOEXEC) != 0)
+        return check_fail("no pipe to a child process");
+    if (pipe2(verdicts, O_CLOEXEC) != 0) {
+        close(requests[0]), close(requests[1]);
+        return check_fail("no pipe to a child process");
+    }
+    bench->pid = fork();
+    if (bench->pid == 0) {
+        close(requests[1]), close(verdicts[0]);
+        serve(&bench->options, bench->folder, requests[0], verdicts[1]);
+    }
+    close(requests[0]), close(verdicts[1]);
+    bench->requests = requests[1];
+    bench->verdicts = verdicts[0];
+    if (bench->pid > 0)
+        return true;
+    bench_stop(bench);
+    return check_fail("no child process");
+}
+
+bool bench_ask(Bench *bench, int lab) {
+    INVARIANT(!bench->busy);
+    if (bench->pid <= 0 && !start(bench))
+        return false;
+    if (write(bench->requests, &lab, sizeof lab) != sizeof lab) { // it died while it had nothing to do
+        bench_stop(bench);
+        if (!start(bench) || write(bench->requests, &lab, sizeof lab) != sizeof lab)
+            return check_fail("the process that grades cannot be reached");
+    }
+    bench->verdict.lab = lab;
+    bench->taken = 0;
+    bench->busy = true;
+    return true;
+}
+
+bool bench_take(Bench *bench) {
+    const int lab = bench->verdict.lab;
+    ssize_t n =
+        read(bench->verdicts, (char *)&bench->verdict + bench->taken, sizeof bench->verdict - bench->taken);
+    bench->taken += n > 0 ? (size_t)n : 0;
+    if (n <= 0) {
+        memset(&bench->verdict, 0, sizeof bench->verdict);
+        bench->verdict.fault = true;
+        bench->verdict.lab = lab;
+        strcpy(bench->verdict.message, "the process that grades has ended; the next save starts it again");
+    } else if (bench->taken < sizeof bench->verdict) {
+        return false;
+    }
+    bench->busy = false;
+    if (bench->verdict.fault)
+        bench_stop(bench);
+    return true;
+}
+
+void bench_stop(Bench *bench) {
+    if (bench->requests > 0)
+        close(bench->requests), close(bench->verdicts);
+    if (bench->pid > 0) {
+        kill(bench->pid, SIGTERM);
+        waitpid(bench->pid, NULL, 0);
+    }
+    if (bench->folder[0])
+        files_remove(bench->folder);
+    bench->folder[0] = '\0';
+    bench->pid = bench->requests = bench->verdicts = 0;
+    bench->busy = false;
+}

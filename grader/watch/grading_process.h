@@ -1,0 +1,52 @@
+// A process beside the watch that grades one lab at a time and keeps what ours draw for it, so that the
+// screen never waits and a lab that was saved again is graded at once.
+#pragma once
+
+#include "diagnose/result.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct VerdictCheck {
+    double points;
+    bool passed, undone;                     // undone: the task is not done yet, rather than done wrong
+    char task[16], mistake[256], hint[1500]; // where to look, what is wrong and what helps; "" when passed
+} VerdictCheck;
+
+// The result of a lab without its pictures.
+typedef struct Verdict {
+    int lab; // as it was asked for
+    LabStatus status;
+    bool done, fault; // fault: we could not grade, and message says why
+    double score, max_score, seconds;
+    char message[RESULT_TEXT], warnings[RESULT_TEXT];
+    int check_count;
+    VerdictCheck checks[RUBRIC_MAX_CHECKS];
+} Verdict;
+
+typedef struct BenchOptions {
+    const char *folder; // shaped like labs/
+    const Rubric *rubrics;
+    uint64_t seed; // of all gradings
+    ContextKind context;
+    double seconds; // that a lab may run
+} BenchOptions;
+
+typedef struct Bench {
+    BenchOptions options;
+    int pid, requests, verdicts; // our ends; no process while pid is 0
+    bool busy;                   // a verdict is to come
+    size_t taken;                // bytes of it
+    char folder[FILES_PATH];     // for its temporary files, so that none stay when it is stopped
+    Verdict verdict;
+} Bench;
+
+// Asks for the grading of rubrics[lab]; starts the process when there is none. Only when not busy. False with
+// a message.
+bool bench_ask(Bench *bench, int lab);
+
+// Takes what has come from bench->verdicts. True when bench->verdict is whole; a process that is lost gives a
+// verdict with a fault.
+bool bench_take(Bench *bench);
+
+void bench_stop(Bench *bench); // accepts a zeroed bench

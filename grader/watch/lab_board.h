@@ -1,0 +1,63 @@
+// What the watch knows: the labs, how far each is, and which one lies on the desk.
+#pragma once
+
+#include "watch/grading_process.h"
+#include "grade/progress.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { DESK_MAX_TASKS = 32, DESK_TEXT = 1000 };
+
+// Where a student should look next.
+typedef struct Focus {
+    int check; // the first that failed; -1: none
+    char task[16];
+    char place[300]; // "labs/03-shadow-map/shadow.frag:17", where its TODO stands; "" when that is gone
+    char left[300];  // where the TODO of an earlier task still stands; "" when none does
+} Focus;
+
+typedef struct Desk {
+    const char *folder; // shaped like labs/
+    Rubric rubrics[RESULT_MAX_LABS];
+    int lab_count;
+    Progress progress;
+    int current;   // the lab on the desk
+    bool known;    // verdict and focus are there, and of this lab
+    bool was_open; // an earlier verdict of this visit was not done
+    Verdict verdict;
+    double score_before; // the points before this verdict; -1 when there were none in this visit
+    char clock[16];      // when the verdict came
+    Focus focus;
+    int hints[RESULT_MAX_LABS][DESK_MAX_TASKS]; // of each task: how many are shown
+    char message[DESK_TEXT];                    // for the next screen
+} Desk;
+
+// Reads the rubrics and the progress; puts the lab "03" on the desk, or with NULL the first that is not done.
+bool desk_create(Desk *desk, const char *folder, const char *id);
+void desk_destroy(Desk *desk); // accepts a zeroed desk
+
+// Puts a lab on the desk; its verdict is to come.
+void desk_turn_to(Desk *desk, int lab);
+
+// The next lab after the current one that is not done, around the end; -1 when all others are.
+int desk_next(const Desk *desk);
+
+// Takes a verdict for a lab of the desk: records it and finds where to look. True when the current lab has
+// just been done.
+bool desk_take(Desk *desk, const Verdict *verdict);
+
+// The folder of a lab's files.
+void desk_lab_folder(const Desk *desk, int lab, char folder[FILES_PATH]);
+
+// Shows one more hint for the task in focus; a message when there is none left.
+void desk_hint(Desk *desk);
+
+// The hints of the task in focus that are shown.
+int desk_hints_shown(const Desk *desk);
+
+// The number of labs done.
+int desk_done(const Desk *desk);
+// Points over all labs, of the last gradings.
+double desk_score(const Desk *desk);
+double desk_max_score(const Desk *desk);

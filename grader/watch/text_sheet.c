@@ -1,0 +1,120 @@
+#include "watch/text_sheet.h"
+
+#include <stdarg.h>
+#include <string.h>
+
+static const char *const codes[] = {[STYLE_PLAIN] = "",
+                                    [STYLE_GOOD] = "\033[32m",
+                                    [STYLE_BAD] = "\033[31m",
+                                    [STYLE_BOLD] = "\033[1m",
+                                    [STYLE_DIM] = "\033[2m"};
+
+void sheet_begin(Sheet *sheet, int columns) {
+    sheet->columns = columns < SHEET_WIDTH ? columns : SHEET_WIDTH - 1;
+    sheet->count = 0;
+}
+
+static PageLine *add(Sheet *sheet, Style style) {
+    static PageLine spare; // takes what has no room
+    PageLine *line = sheet->count < SHEET_LINES ? &sheet->lines[sheet->count++] : &spare;
+    *line = (PageLine){.style = style};
+    return line;
+}
+
+void sheet_line(Sheet *sheet, Style style, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    PageLine *line = add(sheet, style);
+    vsnprintf(line->text, sizeof line->text, format, arguments);
+    va_end(arguments);
+}
+
+void sheet_marked(Sheet *sheet, Style mark_style, const char *mark, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    PageLine *line = add(sheet, STYLE_PLAIN);
+    line->mark_style = mark_style;
+    snprintf(line->mark, sizeof line->mark, "%s", mark);
+    vsnprintf(line->text, sizeof line->text, format, arguments);
+    va_end(arguments);
+}
+
+// How much of `text` (without its line's end) goes on a line of `width` characters: up to the last space that
+// fits, or, with none, `width`.
+static int break_at(const char *text, int width) {
+    int length = (int)strcspn(text, "\n");
+    if (length <= width)
+        return length;
+    int at = width;
+    while (at > 0 && text[at] != ' ')
+        at--;
+    return at > 0 ? at : width;
+}
+
+void sheet_text(Sheet *sheet, Style style, int indent, const char *text) {
+    const int width = sheet->columns - indent > 20 ? sheet->columns - indent : 20;
+    while (*text) {
+        const int length = break_at(text, width);
+        sheet_line(sheet, style, "%*s%.*s", indent, "", length, text);
+        text += length;
+        text += *text == ' ' || *text == '\n';
+    }
+}
+
+void sheet_bar(char *text, size_t size, double share, int width) {
+    const int full = (int)(share * width + 1e-9);
+    int used = snprintf(text, size, "[");
+    for (int i = 0; i < width && used < (int)size - 2; i++)
+        text[used++] = i < full ? '#' : '.';
+    snprintf(text + used, size - (size_t)used, "]");
+}
+
+// Bytes of the first `width` characters of a UTF-8 text.
+static int clip(const char *text, int width) {
+    int at = 0;
+    for (int seen = 0; text[at]; at++)
+        if ((text[at] & 0xc0) != 0x80 && ++seen > width)
+            break;
+    return at;
+}
+
+static void put_text(FILE *out, Style style, const char *text, int width, bool color) {
+    const bool styled = color && style != STYLE_PLAIN;
+    fprintf(out, "%s%.*s%s", styled ? codes[style] : "", clip(text, width), text, styled ? "\033[0m" : "");
+}
+
+static void put_line(FILE *out, const PageLine *line, int columns, bool color) {
+    const int mark = (int)strlen(line->mark) < columns ? (int)strlen(line->mark) : columns;
+    put_text(out, line->mark_style, line->mark, mark, color);
+    put_text(out, line->style, line->text, columns - mark, color);
+}
+
+void sheet_print(const Sheet *sheet, FILE *out, bool color) {
+    for (int i = 0; i < sheet->count; i++) {
+        put_line(out, &sheet->lines[i], SHEET_WIDTH, color);
+        fputc('\n', out);
+    }
+    fflush(out);
+}
+
+// One write, from the top, without clearing first: nothing flickers.
+void sheet_show(const Sheet *sheet, const char *footer, int columns, int rows, bool color) {
+    static char buffer[SHEET_LINES * (SHEET_WIDTH + 64)];
+    FILE *out = fmemopen(buffer, sizeof buffer, "w");
+    const int room = rows - 1, shown = sheet->count <= room ? sheet->count : room - 1;
+    if (!out)
+        return;
+    fputs("\033[H", out);
+    for (int i = 0; i < room; i++) {
+        if (i < shown)
+            put_line(out, &sheet->lines[i], columns, color);
+        else if (i == shown && shown < sheet->count)
+            put_text(out, STYLE_DIM, "... (a larger window shows more)", columns, color);
+        fputs("\033[K\r\n", out);
+    }
+    put_text(out, STYLE_DIM, footer, columns - 1, color);
+    fputs("\033[K", out);
+    fclose(out);
+    fputs(buffer, stdout);
+    fflush(stdout);
+}

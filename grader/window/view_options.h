@@ -1,0 +1,10 @@
+// The command line of build/view.
+#pragma once
+
+#include "window/app.h"
+
+// Reads the arguments; false with a message for what does not make sense.
+bool arguments_parse(AppOptions *options, int count, char **arguments);
+
+// What the program says of itself.
+extern const char arguments_usage[];

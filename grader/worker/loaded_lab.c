@@ -1,0 +1,236 @@
+#include "worker/loaded_lab.h"
+
+#include "worker/primitives_view.h"
+#include "scene/shader_source.h"
+
+#include <dlfcn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { MAX_LABS = 128 };
+
+static HostedLab *hosted_labs[MAX_LABS];
+static const char *running;
+
+static bool load_lab(HostedLab *hosted) {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/lab.so", hosted->folder);
+    void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
+    if (!library)
+        return check_fail("the lab cannot be loaded: %s", dlerror());
+    hosted->lab = dlsym(library, "lab");
+    if (!hosted->lab || !hosted->lab->create || !hosted->lab->destroy)
+        return check_fail("lab.c defines no complete table `const Lab lab`; restore it from the skeleton");
+    return true;
+}
+
+static bool load_programs(HostedLab *hosted) {
+    INVARIANT(hosted->lab);
+    for (int i = 0; i < LAB_MAX_PROGRAMS && hosted->lab->programs[i].vertex; i++) {
+        if (!program_create(&hosted->programs[i], &hosted->lab->programs[i]))
+            return false;
+        hosted->program_count++;
+    }
+    return true;
+}
+
+static bool load(HostedLab *hosted, const char *shader_folder) {
+    running = "the start";
+    shader_source_folders(hosted->folder, shader_folder);
+    hosted->ready = load_lab(hosted) && load_programs(hosted);
+    snprintf(hosted->failure, sizeof hosted->failure, "%s", check_message());
+    running = NULL;
+    return hosted->ready;
+}
+
+HostedLab *host_find(const char *folder, const char *shader_folder) {
+    int i = 0;
+    while (i < MAX_LABS && hosted_labs[i] && strcmp(hosted_labs[i]->folder, folder) != 0)
+        i++;
+    if (i == MAX_LABS)
+        return NULL;
+    if (!hosted_labs[i] && (hosted_labs[i] = calloc(1, sizeof *hosted_labs[i]))) {
+        snprintf(hosted_labs[i]->folder, sizeof hosted_labs[i]->folder, "%s", folder);
+        load(hosted_labs[i], shader_folder);
+    }
+    return hosted_labs[i];
+}
+
+static void destroy_lab(HostedLab *hosted) {
+    if (hosted->created)
+        hosted->lab->destroy();
+    hosted->created = false;
+    target_destroy(&hosted->picture);
+    target_destroy(&hosted->readback);
+}
+
+static int find_knob(const Lab *lab, const char *name) {
+    for (int i = 0; i < LAB_MAX_KNOBS && lab->knobs[i].name; i++)
+        if (strncmp(lab->knobs[i].name, name, LAB_MAX_NAME) == 0)
+            return i;
+    return -1;
+}
+
+static bool take_knobs(const Lab *lab, const Request *request, float *knobs) {
+    for (int i = 0; i < LAB_MAX_KNOBS && lab->knobs[i].name; i++)
+        knobs[i] = lab->knobs[i].value;
+    for (int i = 0; i < request->knob_count; i++) {
+        int knob = find_knob(lab, request->knobs[i].name);
+        if (knob < 0)
+            return check_fail("the lab has no knob \"%s\"; restore the table of knobs",
+                              request->knobs[i].name);
+        knobs[knob] = request->knobs[i].value;
+    }
+    return true;
+}
+
+static bool same_knobs(const float *a, const float *b) {
+    for (int i = 0; i < LAB_MAX_KNOBS; i++)
+        if (a[i] != b[i])
+            return false;
+    return true;
+}
+
+// The lab's resources fit one size and one setting of the knobs.
+static bool ensure_created(HostedLab *hosted, const Request *request, Frame *frame) {
+    float knobs[LAB_MAX_KNOBS] = {0};
+    if (!take_knobs(hosted->lab, request, knobs))
+        return false;
+    bool fits = hosted->created && !request->fresh && hosted->picture.width == request->width &&
+                hosted->picture.height == request->height && same_knobs(knobs, hosted->knobs);
+    memcpy(hosted->knobs, knobs, sizeof knobs);
+    if (fits) {
+        frame->framebuffer = hosted->picture.framebuffer;
+        return true;
+    }
+    destroy_lab(hosted);
+    if (!target_create(&hosted->readback, request->width, request->height, GL_RGBA32F, 0) ||
+        !target_create(&hosted->picture, request->width, request->height, GL_RGBA32F, GL_DEPTH24_STENCIL8))
+        return false;
+    frame->framebuffer = hosted->picture.framebuffer;
+    hosted->created = true;
+    running = "create";
+    gl_reset();
+    return hosted->lab->create(frame) || check_fail("create returned false");
+}
+
+static float cpu_milliseconds(void) {
+    struct timespec now;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now); // that of the process ticks coarsely under RLIMIT_CPU
+    return (float)((double)(now.tv_sec % 100000) * 1e3 + (double)now.tv_nsec / 1e6);
+}
+
+static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) {
+    gl_reset();
+    frame_bind(frame);
+    vec3s background = frame->flat_light ? vec3_make(0, 0, 0) : frame->scene->background;
+    glClearColor(background.x, background.y, background.z, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++) {
+        float start = cpu_milliseconds();
+        running = lab->passes[i].name;
+        lab->passes[i].draw(frame);
+        glFinish();
+        milliseconds[i] = cpu_milliseconds() - start;
+    }
+    running = NULL;
+}
+
+static uint8_t quantise_channel(float value) {
+    float clamped = value < 0 ? 0 : value > 1 ? 1 : value;
+    return (uint8_t)lrintf(clamped * 255);
+}
+
+// 8 bits a channel, top row first; a pixel with a NaN or an infinity gets alpha 0.
+static void quantise(const float *colors, uint8_t *pixels, int width, int height) {
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            const float *from = colors + 4 * ((size_t)(height - 1 - y) * (size_t)width + (size_t)x);
+            uint8_t *to = pixels + 4 * ((size_t)y * (size_t)width + (size_t)x);
+            bool finite = isfinite(from[0]) && isfinite(from[1]) && isfinite(from[2]);
+            for (int c = 0; c < 3; c++)
+                to[c] = finite ? quantise_channel(from[c]) : 0;
+            to[3] = finite ? 255 : 0;
+        }
+}
+
+static bool read_pixels(const Target *target, uint8_t *pixels) {
+    float *colors = malloc((size_t)target->width * (size_t)target->height * 4 * sizeof *colors);
+    if (!colors)
+        return check_fail("out of memory for the picture");
+    gl_reset();
+    glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    glReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_FLOAT, colors);
+    quantise(colors, pixels, target->width, target->height);
+    free(colors);
+    return true;
+}
+
+static bool show_view(const HostedLab *hosted, const StageView *view, const Request *request,
+                      const Frame *frame, uint8_t *pixels) {
+    if (strcmp(request->view, VIEW_PRIMITIVES) == 0)
+        return primitives_view_draw(frame) && read_pixels(&hosted->picture, pixels);
+    if (strcmp(request->view, VIEW_PICTURE) == 0 || strcmp(request->view, VIEW_VISIBILITY) == 0)
+        return read_pixels(&hosted->picture, pixels);
+    for (int i = 0; i < LAB_MAX_STAGES && hosted->lab->stages[i].name; i++)
+        if (strncmp(hosted->lab->stages[i].name, request->view, LAB_MAX_NAME) == 0) {
+            stage_view_draw(view, &hosted->readback, *hosted->lab->stages[i].texture);
+            return read_pixels(&hosted->readback, pixels);
+        }
+    return check_fail("the lab has no stage \"%s\"; restore the table of stages", request->view);
+}
+
+bool host_draw(HostedLab *hosted, const StageView *view, const Request *request, float *milliseconds,
+               uint8_t *pixels) {
+    check_clear();
+    gl_clear_error();
+    if (!hosted->ready)
+        return check_fail("%s", hosted->failure);
+    Frame frame = {.scene = &request->scene,
+                   .programs = hosted->programs,
+                   .knobs = hosted->knobs,
+                   .width = request->width,
+                   .height = request->height,
+                   .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0};
+    if (!ensure_created(hosted, request, &frame))
+        return false;
+    run_passes(hosted->lab, &frame, milliseconds);
+    return show_view(hosted, view, request, &frame, pixels);
+}
+
+static void describe_knob(struct KnobText *text, const Knob *knob) {
+    snprintf(text->name, sizeof text->name, "%s", knob->name);
+    snprintf(text->unit, sizeof text->unit, "%s", knob->unit ? knob->unit : "");
+    text->low = knob->low;
+    text->high = knob->high;
+    text->value = knob->value;
+}
+
+bool host_describe(const HostedLab *hosted, Description *description) {
+    const Lab *lab = hosted->lab;
+    memset(description, 0, sizeof *description);
+    if (!lab)
+        return check_fail("%s", hosted->failure);
+    snprintf(description->title, sizeof description->title, "%s", lab->title ? lab->title : "");
+    for (int i = 0; i < LAB_MAX_KNOBS && lab->knobs[i].name; i++)
+        describe_knob(&description->knobs[description->knob_count++], &lab->knobs[i]);
+    for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++)
+        snprintf(description->passes[description->pass_count++], LAB_MAX_NAME, "%s", lab->passes[i].name);
+    for (int i = 0; i < LAB_MAX_STAGES && lab->stages[i].name; i++)
+        snprintf(description->stages[description->stage_count++], LAB_MAX_NAME, "%s", lab->stages[i].name);
+    return true;
+}
+
+const char *host_running(void) {
+    return running;
+}
+
+void host_destroy(void) {
+    for (int i = 0; i < MAX_LABS && hosted_labs[i]; i++) {
+        destroy_lab(hosted_labs[i]);
+        free(hosted_labs[i]);
+        hosted_labs[i] = NULL;
+    }
+}

@@ -1,0 +1,116 @@
+// worker CONTEXT LAB_FOLDER SHARED_SHADER_FOLDER
+//
+// Loads LAB_FOLDER/lab.so and draws the frames that a client asks for (protocol.h). It never talks to anybody
+// else, so whatever a lab does to its process, the client only sees pixels of known size, an end of file or a
+// silence. With LAB_FOLDER "-" each request names its lab: for ours, which may share a process.
+#include "worker/renderdoc.h"
+#include "context.h"
+#include "worker/loaded_lab.h"
+#include "protocol/protocol.h"
+#include "scene/shader_source.h"
+#include "base/pipe.h"
+
+#include <execinfo.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static struct {
+    bool ready; // the context is there
+    const char *lab_folder, *shader_folder;
+    StageView stage_view;
+} worker;
+
+static void report_crash(int number) {
+    char text[300] = "";
+    void *frames[32];
+    check_append(text, sizeof text, "in %s", host_running() ? host_running() : "the lab");
+    gl_append_caller(text, sizeof text, frames, backtrace(frames, 32));
+    ssize_t written = write(STDERR_FILENO, text, strlen(text));
+    (void)written;
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+static void watch_crashes(void) {
+    static char stack[64 * 1024]; // a stack of its own: an endless recursion has used up the other
+    void *frame;
+    backtrace(&frame, 1); // loads libgcc now, not inside the handler
+    sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack}, NULL);
+    struct sigaction action = {.sa_handler = report_crash, .sa_flags = SA_ONSTACK | SA_RESETHAND};
+    const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    for (unsigned i = 0; i < sizeof signals / sizeof signals[0]; i++)
+        sigaction(signals[i], &action, NULL);
+}
+
+static void fill_reply(Reply *reply, bool drawn) {
+    reply->magic = PROTOCOL_MAGIC;
+    reply->drawn = drawn;
+    snprintf(reply->message, sizeof reply->message, "%s", check_message());
+    if (gl_error()[0])
+        check_append(reply->message, sizeof reply->message, "%s%s", reply->message[0] ? "; " : "",
+                     gl_error());
+    if (glad_glGetString)
+        snprintf(reply->renderer, sizeof reply->renderer, "%s / %s", (const char *)glGetString(GL_VERSION),
+                 (const char *)glGetString(GL_RENDERER));
+}
+
+static bool perform(const Request *request, Reply *reply, void *payload) {
+    if (!worker.ready)
+        return false; // with the message of the start
+    bool named = strcmp(worker.lab_folder, "-") == 0;
+    check_clear();
+    HostedLab *hosted = host_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
+    if (!hosted)
+        return check_fail("too many labs in one worker");
+    return request->describe ? host_describe(hosted, payload)
+                             : host_draw(hosted, &worker.stage_view, request, reply->milliseconds, payload);
+}
+
+static bool answer(const Request *request) {
+    static Reply reply;
+    size_t bytes =
+        request->describe ? sizeof(Description) : (size_t)request->width * (size_t)request->height * 4;
+    void *payload = calloc(bytes, 1);
+    if (!payload)
+        return false;
+    memset(&reply, 0, sizeof reply);
+    capture_begin();
+    bool done = perform(request, &reply, payload);
+    capture_end();
+    fill_reply(&reply, done);
+    bool sent = transfer_write(PROTOCOL_REPLIES, &reply, sizeof reply) &&
+                transfer_write(PROTOCOL_REPLIES, payload, bytes);
+    free(payload);
+    return sent;
+}
+
+static bool start(const char *context) {
+    ContextKind kind;
+    return context_parse(&kind, context) && context_create(kind) && draw_create() &&
+           stage_view_create(&worker.stage_view);
+}
+
+int main(int count, char **arguments) {
+    static Request request;
+    if (count != 4) {
+        fprintf(stderr, "usage: worker osmesa|egl LAB_FOLDER SHARED_SHADER_FOLDER (started by the grader)\n");
+        return 2;
+    }
+    watch_crashes();
+    setvbuf(stdout, NULL, _IOLBF, 0); // what a lab prints is seen at once
+    worker.lab_folder = arguments[2];
+    worker.shader_folder = arguments[3];
+    shader_source_folders(".", worker.shader_folder);
+    worker.ready = start(arguments[1]);
+    while (transfer_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
+        INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&
+                  request.height <= PROTOCOL_MAX_SIZE);
+        if (!answer(&request))
+            return 1;
+    }
+    host_destroy();
+    return 0;
+}

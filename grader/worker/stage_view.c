@@ -1,0 +1,36 @@
+#include "worker/stage_view.h"
+
+#include "draw.h"
+#include "gl_state.h"
+
+bool stage_view_create(StageView *view) {
+    if (!program_create(&view->program, &(ProgramFiles){"fullscreen.vert", "texture.frag", NULL}))
+        return false;
+    glGenSamplers(1, &view->sampler);
+    glSamplerParameteri(view->sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glSamplerParameteri(view->sampler, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glSamplerParameteri(view->sampler, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+    return true;
+}
+
+static bool is_depth(GLuint texture) {
+    GLint bits = 0;
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_DEPTH_SIZE, &bits);
+    return bits > 0;
+}
+
+void stage_view_draw(const StageView *view, const Target *target, GLuint texture) {
+    gl_reset();
+    target_bind(target);
+    glClearColor(1, 0, 1, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (!glIsTexture(texture))
+        return;
+    glDisable(GL_DEPTH_TEST);
+    program_set_int(&view->program, "u_is_depth", is_depth(texture));
+    program_set_texture(&view->program, "u_texture", 0, GL_TEXTURE_2D, texture);
+    glBindSampler(0, view->sampler);
+    draw_fullscreen(&view->program);
+    glBindSampler(0, 0);
+}
