@@ -11,7 +11,7 @@ typedef struct Look {
     uint64_t hash;
 } Look;
 
-bool changes_is_source(const char *name) {
+bool file_watch_is_source(const char *name) {
     static const char *const ends[] = {".c", ".h", ".vert", ".frag", ".geom", ".glsl"};
     const char *dot = strrchr(name, '.');
     for (unsigned i = 0; dot && i < sizeof ends / sizeof ends[0]; i++)
@@ -24,7 +24,7 @@ static void look_at(const char *name, void *context) {
     Look *look = context;
     struct stat info = {0};
     char path[FILES_PATH];
-    if (!changes_is_source(name))
+    if (!file_watch_is_source(name))
         return;
     files_join(path, look->folder, name);
     if (stat(path, &info) != 0)
@@ -35,7 +35,7 @@ static void look_at(const char *name, void *context) {
     look->hash = hash_bytes(look->hash, &info.st_mtim, sizeof info.st_mtim);
 }
 
-static uint64_t fingerprint(const Changes *changes) {
+static uint64_t fingerprint(const FileWatch *changes) {
     Look look = {.hash = HASH_START};
     for (int i = 0; i < CHANGES_FOLDERS; i++) {
         look.folder = changes->folders[i];
@@ -45,13 +45,13 @@ static uint64_t fingerprint(const Changes *changes) {
     return look.hash;
 }
 
-void changes_begin(Changes *changes, const char *folder, const char *other) {
+void file_watch_begin(FileWatch *changes, const char *folder, const char *other) {
     snprintf(changes->folders[0], FILES_PATH, "%s", folder);
     snprintf(changes->folders[1], FILES_PATH, "%s", other);
     changes->taken = changes->seen = fingerprint(changes);
 }
 
-bool changes_found(Changes *changes) {
+bool file_watch_found(FileWatch *changes) {
     uint64_t now = fingerprint(changes);
     bool still = now == changes->seen;
     changes->seen = now;

@@ -10,17 +10,17 @@
 
 enum { CHANGES_FOLDERS = 2 };
 
-typedef struct Changes {
+typedef struct FileWatch {
     char folders[CHANGES_FOLDERS][FILES_PATH]; // "": none
     uint64_t taken, seen;                      // fingerprints: of what was built, and of the last look
-} Changes;
+} FileWatch;
 
 // Watches C and GLSL files of two folders from now on.
-void changes_begin(Changes *changes, const char *folder, const char *other);
+void file_watch_begin(FileWatch *changes, const char *folder, const char *other);
 
 // True once for each change, when two looks in a row have found the same files: a file is not read while it
 // is being written.
-bool changes_found(Changes *changes);
+bool file_watch_found(FileWatch *changes);
 
 // Is it the name of a C or GLSL file?
-bool changes_is_source(const char *name);
+bool file_watch_is_source(const char *name);

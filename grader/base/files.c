@@ -198,7 +198,7 @@ bool files_make_temporary(char path[FILES_PATH]) {
     files_join(path, whole, "shadow-lab-XXXXXX");
     if (!mkdtemp(path))
         return check_fail("no temporary folder %s: %s", path, strerror(errno));
-    tidy_add(path);
+    temporary_add(path);
     return true;
 }
 
@@ -221,7 +221,7 @@ static int remove_entry(const char *path, const struct stat *info, int kind, str
 
 void files_remove(const char *path) {
     nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-    tidy_drop(path);
+    temporary_drop(path);
 }
 
 void files_join(char path[FILES_PATH], const char *a, const char *b) {

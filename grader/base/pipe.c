@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <unistd.h>
 
-bool transfer_read(int descriptor, void *data, size_t size) {
+bool pipe_read(int descriptor, void *data, size_t size) {
     for (size_t done = 0; done < size;) {
         ssize_t n = read(descriptor, (char *)data + done, size - done);
         if (n <= 0 && !(n < 0 && errno == EINTR))
@@ -13,7 +13,7 @@ bool transfer_read(int descriptor, void *data, size_t size) {
     return true;
 }
 
-bool transfer_write(int descriptor, const void *data, size_t size) {
+bool pipe_write(int descriptor, const void *data, size_t size) {
     for (size_t done = 0; done < size;) {
         ssize_t n = write(descriptor, (const char *)data + done, size - done);
         if (n <= 0 && !(n < 0 && errno == EINTR))

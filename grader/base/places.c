@@ -18,17 +18,17 @@ static const char *program_folder(void) {
     return path;
 }
 
-void home_build_path(char path[FILES_PATH], const char *name) {
+void places_build_path(char path[FILES_PATH], const char *name) {
     files_join(path, program_folder(), name);
 }
 
-void home_path(char path[FILES_PATH], const char *relative) {
+void places_path(char path[FILES_PATH], const char *relative) {
     char root[FILES_PATH];
     snprintf(root, sizeof root, "%s", program_folder());
     files_join(path, dirname(root), relative);
 }
 
-bool home_is_lab_name(const char *name) {
+bool places_is_lab_name(const char *name) {
     return isdigit((unsigned char)name[0]) && isdigit((unsigned char)name[1]) && name[2] == '-';
 }
 
@@ -40,28 +40,28 @@ typedef struct Search {
 
 static void match(const char *name, void *context) {
     Search *search = context;
-    if (search->found || !home_is_lab_name(name) || strncmp(name, search->id, 2) != 0)
+    if (search->found || !places_is_lab_name(name) || strncmp(name, search->id, 2) != 0)
         return;
     files_join(search->path, search->parent, name);
     search->found = true;
 }
 
-bool home_find_lab_in(char path[FILES_PATH], const char *parent, const char *id) {
+bool places_find_lab_in(char path[FILES_PATH], const char *parent, const char *id) {
     Search search = {.parent = parent, .id = id, .path = path};
     return files_list(parent, match, &search) && search.found;
 }
 
 // Where the labs' rubrics lie.
 static void labs_folder(char path[FILES_PATH]) {
-    home_path(path, "solutions");
+    places_path(path, "solutions");
     if (!files_exists(path))
-        home_path(path, "grader/recorded");
+        places_path(path, "grader/recorded");
 }
 
-bool home_find_lab(char path[FILES_PATH], const char *id) {
+bool places_find_lab(char path[FILES_PATH], const char *id) {
     char labs[FILES_PATH];
     labs_folder(labs);
-    return home_find_lab_in(path, labs, id);
+    return places_find_lab_in(path, labs, id);
 }
 
 typedef struct Walk {
@@ -72,11 +72,11 @@ typedef struct Walk {
 static void visit_lab(const char *name, void *context) {
     const Walk *walk = context;
     const char id[3] = {name[0], name[1], '\0'};
-    if (home_is_lab_name(name))
+    if (places_is_lab_name(name))
         walk->visit(id, walk->context);
 }
 
-bool home_list_labs(void (*visit)(const char *id, void *context), void *context) {
+bool places_list_labs(void (*visit)(const char *id, void *context), void *context) {
     char labs[FILES_PATH];
     labs_folder(labs);
     return files_list(labs, visit_lab, &(Walk){visit, context});

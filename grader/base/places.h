@@ -6,20 +6,20 @@
 #include <stdbool.h>
 
 // ROOT/relative, for instance "solutions".
-void home_path(char path[FILES_PATH], const char *relative);
+void places_path(char path[FILES_PATH], const char *relative);
 
 // BUILD/name, next to the running program, for instance "worker".
-void home_build_path(char path[FILES_PATH], const char *name);
+void places_build_path(char path[FILES_PATH], const char *name);
 
 // The folder ROOT/solutions/NN-name of the lab whose number `id` is, or ROOT/grader/recorded/NN-name where
 // there are no solutions (see recorded.h); false when there is none.
-bool home_find_lab(char path[FILES_PATH], const char *id);
+bool places_find_lab(char path[FILES_PATH], const char *id);
 
 // The same inside another folder that is shaped like labs/.
-bool home_find_lab_in(char path[FILES_PATH], const char *parent, const char *id);
+bool places_find_lab_in(char path[FILES_PATH], const char *parent, const char *id);
 
 // Calls visit with the id ("02") of each lab of ours, in order.
-bool home_list_labs(void (*visit)(const char *id, void *context), void *context);
+bool places_list_labs(void (*visit)(const char *id, void *context), void *context);
 
 // Does an entry's name read "NN-..."?
-bool home_is_lab_name(const char *name);
+bool places_is_lab_name(const char *name);

@@ -45,7 +45,7 @@ static bool is_printable(uint32_t code) {
     return true;
 }
 
-char *escape_name(const char *bytes) {
+char *printable_name(const char *bytes) {
     char *text = malloc(4 * strlen(bytes) + 1), *to = text;
     INVARIANT(text);
     while (*bytes) {
@@ -67,7 +67,7 @@ char *escape_name(const char *bytes) {
     return text;
 }
 
-char *escape_undo(const char *text) {
+char *printable_undo(const char *text) {
     char *bytes = malloc(strlen(text) + 1), *to = bytes;
     INVARIANT(bytes);
     for (unsigned value; *text; to++) {
@@ -89,7 +89,7 @@ char *escape_undo(const char *text) {
     return bytes;
 }
 
-void escape_file_name(char file[ESCAPE_FILE_NAME], const char *bytes) {
+void printable_file_name(char file[ESCAPE_FILE_NAME], const char *bytes) {
     uint64_t hash = 0xcbf29ce484222325u;
     int length = 0;
     for (const char *at = bytes; *at; at++) {

@@ -6,11 +6,11 @@ enum { ESCAPE_FILE_NAME = 48 };
 // The name as text that fits JSON, CSV, HTML and a terminal: printable UTF-8 stays, a backslash becomes \\,
 // every byte of anything else (control characters, invisible and direction marks, what is not UTF-8) becomes
 // \xNN. Different names give different texts. Freed by the caller.
-char *escape_name(const char *bytes);
+char *printable_name(const char *bytes);
 
-// The name whose text this is; NULL when it is none that escape_name gives. Freed by the caller.
-char *escape_undo(const char *text);
+// The name whose text this is; NULL when it is none that printable_name gives. Freed by the caller.
+char *printable_undo(const char *text);
 
 // A file name for what belongs to the name: its first letters and digits, then a hash of all of it (FNV-1a,
 // 64 bits).
-void escape_file_name(char file[ESCAPE_FILE_NAME], const char *bytes);
+void printable_file_name(char file[ESCAPE_FILE_NAME], const char *bytes);

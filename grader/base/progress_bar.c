@@ -7,7 +7,7 @@
 
 enum { WIDTH = 30 };
 
-static void show(Bar *bar) {
+static void show(ProgressBar *bar) {
     int percent = bar->all > 0 ? 100 * bar->done / bar->all : 100;
     if (!bar->terminal || percent == bar->shown)
         return;
@@ -21,25 +21,25 @@ static void show(Bar *bar) {
     fprintf(stderr, "] %3d %%, %3.0f s left ", percent, left);
 }
 
-void bar_begin(Bar *bar, const char *scene, int done, int all) {
-    *bar = (Bar){.terminal = isatty(STDERR_FILENO),
-                 .started = process_now(),
-                 .scene = scene,
-                 .done = done,
-                 .all = all,
-                 .began = done,
-                 .shown = -1};
+void progress_bar_begin(ProgressBar *bar, const char *scene, int done, int all) {
+    *bar = (ProgressBar){.terminal = isatty(STDERR_FILENO),
+                         .started = process_now(),
+                         .scene = scene,
+                         .done = done,
+                         .all = all,
+                         .began = done,
+                         .shown = -1};
     if (!bar->terminal)
         fprintf(stderr, "%s: %d steps, %d of them done before\n", scene, all, done);
     show(bar);
 }
 
-void bar_step(Bar *bar) {
+void progress_bar_step(ProgressBar *bar) {
     bar->done++;
     show(bar);
 }
 
-void bar_end(Bar *bar) {
+void progress_bar_end(ProgressBar *bar) {
     if (bar->terminal)
         fprintf(stderr, "\r%-79s\r", "");
     fprintf(stderr, "%s: done in %.0f s\n", bar->scene, process_now() - bar->started);

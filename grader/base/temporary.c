@@ -30,11 +30,11 @@ static void replace(const char *from, const char *to) {
     list_folders();
 }
 
-void tidy_add(const char *folder) {
+void temporary_add(const char *folder) {
     replace("", folder);
 }
 
-void tidy_drop(const char *folder) {
+void temporary_drop(const char *folder) {
     replace(folder, "");
 }
 
@@ -53,7 +53,7 @@ static void end(int number) {
     raise(number);
 }
 
-void tidy_on_signals(void) {
+void temporary_on_signals(void) {
     static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
     for (unsigned i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         struct sigaction before;

@@ -2,9 +2,9 @@
 #pragma once
 
 // Notes a folder that was made, or that one was removed. files.h does both.
-void tidy_add(const char *folder);
-void tidy_drop(const char *folder);
+void temporary_add(const char *folder);
+void temporary_drop(const char *folder);
 
 // From now on a signal by which a user ends the program (SIGINT, SIGTERM, SIGHUP) also removes the noted
 // folders, a moment after its death.
-void tidy_on_signals(void);
+void temporary_on_signals(void);

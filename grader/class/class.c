@@ -23,8 +23,8 @@ enum { TRIES = 2 };
 typedef struct Class {
     Options *options;
     Jail jail;
-    Roll roll;
-    Plan plan;
+    Roster roster;
+    RunSettings plan;
     Session session; // of a process of the pool, once it has graded something
     bool ready;
     Ticker ticker;
@@ -32,14 +32,14 @@ typedef struct Class {
 } Class;
 
 // Grades the folder of one submission, or what its archive holds.
-static bool grade_folder(Class *class, const Entry *entry, Report *report) {
+static bool grade_folder(Class *class, const RosterEntry *entry, Report *report) {
     char path[FILES_PATH], inside[FILES_PATH];
-    files_join(path, class->roll.folder, entry->name);
+    files_join(path, class->roster.folder, entry->name);
     if (!entry->archive)
         return session_grade(&class->session, path, report);
     if (!files_make_temporary(inside))
         return false;
-    Unpacked unpacked = unpack(&class->jail, path, inside);
+    Unpacked unpacked = archive_unpack(&class->jail, path, inside);
     bool ok = unpacked == UNPACK_OK
                   ? session_grade(&class->session, inside, report)
                   : unpacked == UNPACK_REFUSED && session_refuse(&class->session, check_message(), report);
@@ -56,17 +56,17 @@ static bool is_to_blame(const Class *class, const Report *report) {
     return !broken || self_test(&class->jail);
 }
 
-static bool grade_entry(Class *class, const Entry *entry, Report *report) {
+static bool grade_entry(Class *class, const RosterEntry *entry, Report *report) {
     if (!class->ready)
-        class->ready = plan_session(&class->plan, &class->jail, &class->session);
+        class->ready = run_settings_session(&class->plan, &class->jail, &class->session);
     return class->ready && grade_folder(class, entry, report) && is_to_blame(class, report) &&
-           record_write(class->options->output, entry, report);
+           submission_record_write(class->options->output, entry, report);
 }
 
 static void work(Outcome *outcome, void *context) {
     Class *class = context;
     Report report = {0};
-    outcome->done = grade_entry(class, &class->roll.entries[outcome->job], &report);
+    outcome->done = grade_entry(class, &class->roster.entries[outcome->job], &report);
     outcome->score = result_score(&report);
     outcome->maximum = result_max_score(&report);
     snprintf(outcome->reason, sizeof outcome->reason, "%s", outcome->done ? "" : check_message());
@@ -75,17 +75,17 @@ static void work(Outcome *outcome, void *context) {
 
 static void finished(const Outcome *outcome, void *context) {
     Class *class = context;
-    const Entry *entry = &class->roll.entries[outcome->job];
+    const RosterEntry *entry = &class->roster.entries[outcome->job];
     char text[POOL_REASON + 32];
     if (outcome->done) {
         snprintf(text, sizeof text, "%.2f of %.0f", outcome->score, outcome->maximum);
     } else {
-        char *reason = escape_name(outcome->reason);
+        char *reason = printable_name(outcome->reason);
         snprintf(text, sizeof text, "not graded: %.*s", POOL_REASON, reason);
         free(reason);
         class->not_graded++;
         check_clear();
-        if (!record_write_failure(class->options->output, entry, outcome->reason))
+        if (!submission_record_write_failure(class->options->output, entry, outcome->reason))
             fprintf(stderr, "grade: %s\n", check_message());
     }
     ticker_step(&class->ticker, entry->shown, text, !outcome->done);
@@ -96,13 +96,13 @@ static bool choose(const Class *class, int *jobs, int *count) {
     const Options *options = class->options;
     *count = 0;
     for (int i = 0; i < options->only_count; i++) {
-        jobs[*count] = roll_find(&class->roll, options->only[i]);
+        jobs[*count] = roster_find(&class->roster, options->only[i]);
         if (jobs[(*count)++] < 0)
             return false;
     }
-    for (int i = 0; !options->only && i < class->roll.count; i++) {
-        json_t *record = record_read(options->output, &class->roll.entries[i]);
-        if (!record_is_graded(record))
+    for (int i = 0; !options->only && i < class->roster.count; i++) {
+        json_t *record = submission_record_read(options->output, &class->roster.entries[i]);
+        if (!submission_record_is_graded(record))
             jobs[(*count)++] = i;
         json_decref(record);
     }
@@ -129,7 +129,7 @@ static int processor_count(void) {
 
 static bool grade_all(Class *class) {
     const Options *options = class->options;
-    size_t most = (size_t) class->roll.count + (size_t)options->only_count;
+    size_t most = (size_t) class->roster.count + (size_t)options->only_count;
     int *jobs = calloc(most, sizeof *jobs), count;
     INVARIANT(jobs);
     bool ok = choose(class, jobs, &count);
@@ -141,7 +141,7 @@ static bool grade_all(Class *class) {
                            .context = class,
                            .work = work,
                            .finished = finished};
-        int total = options->only ? count : class->roll.count;
+        int total = options->only ? count : class->roster.count;
         ticker_begin(&class->ticker, stdout, total, total - count);
         ok = pool_run(&pool, jobs, count);
         ticker_end(&class->ticker);
@@ -150,16 +150,16 @@ static bool grade_all(Class *class) {
     return ok;
 }
 
-static void print_list(const Roll *roll) {
-    for (int i = 0; i < roll->count; i++)
-        puts(roll->entries[i].file);
+static void print_list(const Roster *roster) {
+    for (int i = 0; i < roster->count; i++)
+        puts(roster->entries[i].file);
 }
 
-static void note_ignored(const Roll *roll) {
-    for (int i = 0; i < roll->ignored_count; i++)
+static void note_ignored(const Roster *roster) {
+    for (int i = 0; i < roster->ignored_count; i++)
         fprintf(stderr,
                 "grade: ignored: \"%s\" is neither a folder nor an archive (.zip, .tar.gz), or hidden\n",
-                roll->ignored[i]);
+                roster->ignored[i]);
 }
 
 static bool grade_in_jail(Class *class) {
@@ -173,25 +173,25 @@ static bool grade_in_jail(Class *class) {
 // The whole class: alone in OUT, with a workplace.
 static bool grade_rest(Class *class) {
     const char *output = class->options->output;
-    bool ok = workplace_create(output) && grade_in_jail(class);
-    workplace_destroy(output);
+    bool ok = run_folder_create(output) && grade_in_jail(class);
+    run_folder_destroy(output);
     return ok;
 }
 
 static bool grade_class(Class *class) {
     const Options *options = class->options;
-    if (!make_folders(options->output) || !plan_open(&class->plan, options))
+    if (!make_folders(options->output) || !run_settings_open(&class->plan, options))
         return false;
     if (options->only)
         return grade_in_jail(class);
     return (options->gather || grade_rest(class)) &&
-           gather(options->output, &class->roll, &class->plan, &class->not_graded);
+           grade_tables_write(options->output, &class->roster, &class->plan, &class->not_graded);
 }
 
 static void say_end(const Class *class) {
     const char *output = class->options->output;
     if (!class->options->only)
-        printf("%d submissions, %d not graded: %s/grades.csv, %s/index.html\n", class->roll.count,
+        printf("%d submissions, %d not graded: %s/grades.csv, %s/index.html\n", class->roster.count,
                class->not_graded, output, output);
     if (class->not_graded > 0)
         printf("--resume tries again what is not graded\n");
@@ -202,18 +202,18 @@ int class_run(Options *options) {
     class.options = options;
     class.plan.lock = -1;
     int status = EXIT_COULD_NOT;
-    bool ok = roll_read(&class.roll, options->class_folder);
+    bool ok = roster_read(&class.roster, options->class_folder);
     if (ok && options->list) {
-        print_list(&class.roll);
+        print_list(&class.roster);
         status = EXIT_ALL_PASSED;
     } else if (ok && grade_class(&class)) {
-        note_ignored(&class.roll);
+        note_ignored(&class.roster);
         say_end(&class);
         status = class.not_graded > 0 ? EXIT_COULD_NOT : EXIT_ALL_PASSED;
     } else {
         fprintf(stderr, "grade: %s\n", check_message());
     }
-    plan_close(&class.plan);
-    roll_destroy(&class.roll);
+    run_settings_close(&class.plan);
+    roster_destroy(&class.roster);
     return status;
 }

@@ -50,7 +50,7 @@ static bool parse_timeout(Options *options, const char *text) {
 
 static bool parse_lab(Options *options, const char *id) {
     char folder[FILES_PATH];
-    if (strlen(id) != 2 || !home_find_lab(folder, id)) {
+    if (strlen(id) != 2 || !places_find_lab(folder, id)) {
         check_clear();
         return check_fail("there is no lab \"%s\"; give two digits as in solutions/, for instance --lab 02",
                           id);

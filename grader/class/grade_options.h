@@ -2,7 +2,7 @@
 #pragma once
 
 #include "report/report.h"
-#include "grade/grade_submission.h"
+#include "grade/session.h"
 
 #include <stdbool.h>
 

@@ -27,7 +27,7 @@ static void write_name(FILE *out, const char *text) {
 
 static void write_row(FILE *out, const Table *table, int i) {
     bool graded = table_is_graded(table, i);
-    write_name(out, table->roll->entries[i].shown);
+    write_name(out, table->roster->entries[i].shown);
     for (int n = 0; n < table->plan->lab_count; n++)
         if (graded)
             fprintf(out, ",%.2f", table_number(table_lab(table, i, n), "score"));
@@ -48,7 +48,7 @@ static bool write_csv(const char *output, const Table *table) {
     for (int n = 0; n < table->plan->lab_count; n++)
         fprintf(out, ",lab %s", table->plan->labs[n]);
     fputs(",total,status\n", out);
-    for (int i = 0; i < table->roll->count; i++)
+    for (int i = 0; i < table->roster->count; i++)
         write_row(out, table, i);
     INVARIANT(fclose(out) == 0);
     files_join(path, output, "grades.csv");
@@ -66,11 +66,11 @@ static bool write_index(const char *output, const Table *table) {
     return ok;
 }
 
-bool gather(const char *output, const Roll *roll, const Plan *plan, int *not_graded) {
+bool grade_tables_write(const char *output, const Roster *roster, const RunSettings *plan, int *not_graded) {
     Table table;
-    table_read(&table, output, roll, plan);
+    table_read(&table, output, roster, plan);
     *not_graded = 0;
-    for (int i = 0; i < roll->count; i++)
+    for (int i = 0; i < roster->count; i++)
         *not_graded += !table_is_graded(&table, i);
     bool ok = write_csv(output, &table) && write_index(output, &table);
     table_free(&table);

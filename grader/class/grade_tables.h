@@ -7,4 +7,4 @@
 #include <stdbool.h>
 
 // `not_graded` gets the number of submissions without a grade. False with a message.
-bool gather(const char *output, const Roll *roll, const Plan *plan, int *not_graded);
+bool grade_tables_write(const char *output, const Roster *roster, const RunSettings *plan, int *not_graded);

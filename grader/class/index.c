@@ -60,11 +60,11 @@ static void write_bins(Page *page, const char *lab, const int *bins) {
 }
 
 static void write_distribution(Page *page, const Table *table, int n) {
-    double *scores = calloc((size_t)table->roll->count, sizeof *scores), maximum = 0, sum = 0;
+    double *scores = calloc((size_t)table->roster->count, sizeof *scores), maximum = 0, sum = 0;
     int bins[BINS + 1] = {0}, count = 0, passed = 0;
     const char *name = "";
     INVARIANT(scores);
-    for (int i = 0; i < table->roll->count; i++) {
+    for (int i = 0; i < table->roster->count; i++) {
         const json_t *lab = table_is_graded(table, i) ? table_lab(table, i, n) : NULL;
         if (!lab)
             continue;
@@ -128,7 +128,7 @@ static void count_causes(Causes *causes, const Table *table) {
     size_t c;
     json_t *check;
     causes->count = 0;
-    for (int i = 0; i < table->roll->count; i++)
+    for (int i = 0; i < table->roster->count; i++)
         for (int n = 0; n < table->plan->lab_count; n++)
             json_array_foreach(json_object_get(table_lab(table, i, n), "checks"), c, check)
                 count_cause(causes, table->plan->labs[n], check, i);
@@ -161,7 +161,7 @@ static void write_causes(Page *page, const Table *table) {
 }
 
 static void write_link(Page *page, const Table *table, int i) {
-    const Entry *entry = &table->roll->entries[i];
+    const RosterEntry *entry = &table->roster->entries[i];
     if (table_is_graded(table, i))
         fprintf(page->out, "<a href=\"pages/%s.html\">", entry->file);
     page_text(page, entry->shown);
@@ -193,7 +193,7 @@ static bool needs_look(const Table *table, int i) {
 
 static void write_look_table(Page *page, const Table *table) {
     int count = 0;
-    for (int i = 0; i < table->roll->count; i++)
+    for (int i = 0; i < table->roster->count; i++)
         count += needs_look(table, i);
     if (count == 0) {
         fputs("<p>Nobody.</p>\n", page->out);
@@ -204,7 +204,7 @@ static void write_look_table(Page *page, const Table *table) {
           "scope=\"col\">status</th><th "
           "scope=\"col\">message</th></tr></thead><tbody>\n",
           page->out);
-    for (int i = 0; i < table->roll->count; i++) {
+    for (int i = 0; i < table->roster->count; i++) {
         if (!table_is_graded(table, i))
             look_row(page, table, i, "all", "not graded", table_reason(table, i));
         for (int n = 0; table_is_graded(table, i) && n < table->plan->lab_count; n++) {
@@ -222,14 +222,14 @@ static void write_looks(Page *page, const Table *table) {
           "or only a part.</p>\n",
           page->out);
     write_look_table(page, table);
-    if (table->roll->ignored_count == 0)
+    if (table->roster->ignored_count == 0)
         return;
     fputs("<p>Ignored in the class's folder, because they are neither folders nor archives, or "
           "hidden:</p>\n<ul>\n",
           page->out);
-    for (int i = 0; i < table->roll->ignored_count; i++) {
+    for (int i = 0; i < table->roster->ignored_count; i++) {
         fputs("<li>", page->out);
-        page_text(page, table->roll->ignored[i]);
+        page_text(page, table->roster->ignored[i]);
         fputs("</li>\n", page->out);
     }
     fputs("</ul>\n", page->out);
@@ -263,7 +263,7 @@ static void write_all(Page *page, const Table *table) {
           "scope=\"col\"><button>status</button></th></tr>"
           "</thead><tbody>\n",
           page->out);
-    for (int i = 0; i < table->roll->count; i++)
+    for (int i = 0; i < table->roster->count; i++)
         write_row(page, table, i);
     end_table(page);
 }
@@ -271,13 +271,14 @@ static void write_all(Page *page, const Table *table) {
 char *index_page(const Table *table) {
     Page page;
     int graded = 0;
-    for (int i = 0; i < table->roll->count; i++)
+    for (int i = 0; i < table->roster->count; i++)
         graded += table_is_graded(table, i);
     if (!page_begin(&page, "Shadow Lab: the class"))
         return NULL;
     fprintf(page.out,
             "<p>%d submissions, %d graded, %d not graded <span class=\"faint\">(seed %llu)</span></p>\n",
-            table->roll->count, graded, table->roll->count - graded, (unsigned long long)table->plan->seed);
+            table->roster->count, graded, table->roster->count - graded,
+            (unsigned long long)table->plan->seed);
     fputs("<h2>Scores</h2>\n", page.out);
     for (int n = 0; n < table->plan->lab_count; n++)
         write_distribution(&page, table, n);

@@ -25,64 +25,64 @@ static void *grow(void *list, int count, size_t size) {
 }
 
 static void add(const char *name, void *context) {
-    Roll *roll = context;
+    Roster *roster = context;
     char path[FILES_PATH];
     struct stat info;
-    files_join(path, roll->folder, name);
+    files_join(path, roster->folder, name);
     bool known = lstat(path, &info) == 0, archive = known && S_ISREG(info.st_mode) && is_archive(name);
     if (name[0] == '.' || (!archive && !(known && S_ISDIR(info.st_mode)))) {
-        roll->ignored = grow(roll->ignored, roll->ignored_count, sizeof *roll->ignored);
-        roll->ignored[roll->ignored_count++] = escape_name(name);
+        roster->ignored = grow(roster->ignored, roster->ignored_count, sizeof *roster->ignored);
+        roster->ignored[roster->ignored_count++] = printable_name(name);
         return;
     }
-    roll->entries = grow(roll->entries, roll->count, sizeof *roll->entries);
-    Entry *entry = &roll->entries[roll->count++];
-    *entry = (Entry){.name = strdup(name), .shown = escape_name(name), .archive = archive};
+    roster->entries = grow(roster->entries, roster->count, sizeof *roster->entries);
+    RosterEntry *entry = &roster->entries[roster->count++];
+    *entry = (RosterEntry){.name = strdup(name), .shown = printable_name(name), .archive = archive};
     INVARIANT(entry->name);
-    escape_file_name(entry->file, name);
+    printable_file_name(entry->file, name);
 }
 
 // A hash of 64 bits can be made to collide by who chooses the names; then nothing is graded.
-static bool files_differ(const Roll *roll) {
-    for (int i = 0; i < roll->count; i++)
+static bool files_differ(const Roster *roster) {
+    for (int i = 0; i < roster->count; i++)
         for (int j = 0; j < i; j++)
-            if (strcmp(roll->entries[i].file, roll->entries[j].file) == 0)
+            if (strcmp(roster->entries[i].file, roster->entries[j].file) == 0)
                 return check_fail("the names \"%s\" and \"%s\" have one hash: rename one of them",
-                                  roll->entries[i].shown, roll->entries[j].shown);
+                                  roster->entries[i].shown, roster->entries[j].shown);
     return true;
 }
 
-bool roll_read(Roll *roll, const char *folder) {
-    *roll = (Roll){0};
+bool roster_read(Roster *roster, const char *folder) {
+    *roster = (Roster){0};
     if (strlen(folder) > FILES_PATH - 300)
         return check_fail("the path of the class's folder is too long");
-    snprintf(roll->folder, sizeof roll->folder, "%s", folder);
-    return files_list(folder, add, roll) &&
-           (roll->count > 0 || check_fail("%s holds no folder and no archive (.zip, .tar.gz)", folder)) &&
-           files_differ(roll);
+    snprintf(roster->folder, sizeof roster->folder, "%s", folder);
+    return files_list(folder, add, roster) &&
+           (roster->count > 0 || check_fail("%s holds no folder and no archive (.zip, .tar.gz)", folder)) &&
+           files_differ(roster);
 }
 
-void roll_destroy(Roll *roll) {
-    for (int i = 0; i < roll->count; i++) {
-        free(roll->entries[i].name);
-        free(roll->entries[i].shown);
+void roster_destroy(Roster *roster) {
+    for (int i = 0; i < roster->count; i++) {
+        free(roster->entries[i].name);
+        free(roster->entries[i].shown);
     }
-    for (int i = 0; i < roll->ignored_count; i++)
-        free(roll->ignored[i]);
-    free(roll->entries);
-    free(roll->ignored);
-    *roll = (Roll){0};
+    for (int i = 0; i < roster->ignored_count; i++)
+        free(roster->ignored[i]);
+    free(roster->entries);
+    free(roster->ignored);
+    *roster = (Roster){0};
 }
 
-int roll_find(const Roll *roll, const char *name) {
-    for (int i = 0; i < roll->count; i++) {
-        const Entry *entry = &roll->entries[i];
+int roster_find(const Roster *roster, const char *name) {
+    for (int i = 0; i < roster->count; i++) {
+        const RosterEntry *entry = &roster->entries[i];
         if (strcmp(entry->name, name) == 0 || strcmp(entry->shown, name) == 0 ||
             strcmp(entry->file, name) == 0)
             return i;
     }
-    char *shown = escape_name(name);
-    check_fail("%s holds no submission \"%s\"", roll->folder, shown);
+    char *shown = printable_name(name);
+    check_fail("%s holds no submission \"%s\"", roster->folder, shown);
     free(shown);
     return -1;
 }

@@ -6,24 +6,24 @@
 
 #include <stdbool.h>
 
-typedef struct Entry {
+typedef struct RosterEntry {
     char *name;                  // as it stands in the folder, any bytes
-    char *shown;                 // the same as text (escape_name)
+    char *shown;                 // the same as text (printable_name)
     char file[ESCAPE_FILE_NAME]; // names its files in OUT
     bool archive;                // else a folder
-} Entry;
+} RosterEntry;
 
-typedef struct Roll {
+typedef struct Roster {
     char folder[FILES_PATH];
-    Entry *entries; // in the order of their bytes
+    RosterEntry *entries; // in the order of their bytes
     int count;
     char **ignored; // as text: what is neither a folder nor an archive, or hidden
     int ignored_count;
-} Roll;
+} Roster;
 
 // Reads the folder. False with a message.
-bool roll_read(Roll *roll, const char *folder);
-void roll_destroy(Roll *roll); // accepts a zeroed roll
+bool roster_read(Roster *roster, const char *folder);
+void roster_destroy(Roster *roster); // accepts a zeroed roll
 
 // The number of the entry of this name, text or file name; -1 with a message when there is none.
-int roll_find(const Roll *roll, const char *name);
+int roster_find(const Roster *roster, const char *name);

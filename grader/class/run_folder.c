@@ -36,7 +36,7 @@ static void sweep(const char *output) {
     check_clear();
 }
 
-bool workplace_create(const char *output) {
+bool run_folder_create(const char *output) {
     char link[FILES_PATH], path[FILES_PATH];
     sweep(output);
     files_join(link, output, "work");
@@ -50,6 +50,6 @@ bool workplace_create(const char *output) {
     return ok;
 }
 
-void workplace_destroy(const char *output) {
+void run_folder_destroy(const char *output) {
     sweep(output);
 }

@@ -6,5 +6,5 @@
 
 // Removes what is left of earlier runs in OUT, makes the folder and makes it the place of all temporary files
 // (TMPDIR). Only for who is alone in OUT. False with a message.
-bool workplace_create(const char *output);
-void workplace_destroy(const char *output);
+bool run_folder_create(const char *output);
+void run_folder_destroy(const char *output);

@@ -18,22 +18,22 @@ static const double PATIENCE = 3;
 enum { LOCK_TRIES = 100, LOCK_PAUSE = 100 * 1000 }; // microseconds
 
 static void add_lab(const char *id, void *context) {
-    Plan *plan = context;
+    RunSettings *plan = context;
     if (plan->lab_count < RESULT_MAX_LABS)
         memcpy(plan->labs[plan->lab_count++], id, sizeof plan->labs[0]);
 }
 
-static bool from_options(Plan *plan, const Options *options) {
-    *plan = (Plan){.seed = options->grade.seed,
-                   .context = options->grade.context,
-                   .seconds = options->grade.seconds,
-                   .lock = -1};
+static bool from_options(RunSettings *plan, const Options *options) {
+    *plan = (RunSettings){.seed = options->grade.seed,
+                          .context = options->grade.context,
+                          .seconds = options->grade.seconds,
+                          .lock = -1};
     for (int i = 0; i < options->lab_count; i++)
         add_lab(options->labs[i], plan);
-    return options->lab_count > 0 || home_list_labs(add_lab, plan);
+    return options->lab_count > 0 || places_list_labs(add_lab, plan);
 }
 
-static char *to_text(const Plan *plan) {
+static char *to_text(const RunSettings *plan) {
     json_t *labs = json_array();
     for (int i = 0; i < plan->lab_count; i++)
         json_array_append_new(labs, json_string(plan->labs[i]));
@@ -45,11 +45,11 @@ static char *to_text(const Plan *plan) {
     return text;
 }
 
-static bool from_file(Plan *plan, const char *path) {
+static bool from_file(RunSettings *plan, const char *path) {
     json_error_t error;
     const char *seed = NULL, *context = NULL;
     json_t *labs = NULL, *lab, *root = json_load_file(path, 0, &error);
-    *plan = (Plan){.lock = -1};
+    *plan = (RunSettings){.lock = -1};
     size_t i;
     bool ok = root && json_unpack(root, "{s:s, s:s, s:F, s:o}", "seed", &seed, "context", &context, "timeout",
                                   &plan->seconds, "labs", &labs) == 0;
@@ -65,7 +65,7 @@ static bool from_file(Plan *plan, const char *path) {
     return (ok && plan->lab_count > 0) || check_fail("%s is not what build/grade wrote there", path);
 }
 
-static bool same_labs(const Plan *plan, const Options *options) {
+static bool same_labs(const RunSettings *plan, const Options *options) {
     for (int i = 0; i < options->lab_count; i++)
         if (i >= plan->lab_count || strcmp(plan->labs[i], options->labs[i]) != 0)
             return false;
@@ -73,7 +73,7 @@ static bool same_labs(const Plan *plan, const Options *options) {
 }
 
 // May these options go on with the plan that is there?
-static bool agrees(const Plan *plan, const Options *options) {
+static bool agrees(const RunSettings *plan, const Options *options) {
     if (!options->resume && !options->only && !options->gather)
         return check_fail("%s holds a class run already: go on with it by --resume, or take another folder",
                           options->output);
@@ -87,7 +87,7 @@ static bool agrees(const Plan *plan, const Options *options) {
            check_fail("%s was begun with other labs: take another folder for these", options->output);
 }
 
-static bool take_lock(Plan *plan, const char *path, bool alone) {
+static bool take_lock(RunSettings *plan, const char *path, bool alone) {
     plan->lock = open(path, O_RDWR | O_CLOEXEC);
     if (plan->lock < 0)
         return check_fail("%s cannot be opened: %s", path, strerror(errno));
@@ -99,10 +99,10 @@ static bool take_lock(Plan *plan, const char *path, bool alone) {
     return check_fail("another run is at work in this folder (%s is locked)", path);
 }
 
-bool plan_open(Plan *plan, const Options *options) {
+bool run_settings_open(RunSettings *plan, const Options *options) {
     char path[FILES_PATH];
     files_join(path, options->output, "class.json");
-    *plan = (Plan){.lock = -1};
+    *plan = (RunSettings){.lock = -1};
     if (!files_exists(path)) {
         if (options->gather)
             return check_fail("%s holds no class run", options->output);
@@ -117,13 +117,13 @@ bool plan_open(Plan *plan, const Options *options) {
     return from_file(plan, path) && (options->gather || take_lock(plan, path, !options->only));
 }
 
-void plan_close(Plan *plan) {
+void run_settings_close(RunSettings *plan) {
     if (plan->lock >= 0)
         close(plan->lock);
     plan->lock = -1;
 }
 
-bool plan_session(const Plan *plan, const Jail *jail, Session *session) {
+bool run_settings_session(const RunSettings *plan, const Jail *jail, Session *session) {
     *session = (Session){.options = {.context = plan->context,
                                      .seconds = plan->seconds,
                                      .patience = PATIENCE,

@@ -5,21 +5,21 @@
 
 #include <stdbool.h>
 
-typedef struct Plan {
+typedef struct RunSettings {
     uint64_t seed;
     ContextKind context;
     double seconds;
     int lab_count; // never 0
     char labs[RESULT_MAX_LABS][3];
     int lock; // descriptor of class.json, which holds the lock; -1: none
-} Plan;
+} RunSettings;
 
 // Reads OUT/class.json, or makes it of the options when it is not there yet; of several that begin at once,
 // all get the same. Takes a lock on OUT: a run of the whole class must be alone, runs with --only may be
 // many. False with a message: another run is at work, a run is there already, or the options want something
 // else than it.
-bool plan_open(Plan *plan, const Options *options);
-void plan_close(Plan *plan);
+bool run_settings_open(RunSettings *plan, const Options *options);
+void run_settings_close(RunSettings *plan);
 
 // Makes a session of the plan's labs, in this jail. False with a message.
-bool plan_session(const Plan *plan, const Jail *jail, Session *session);
+bool run_settings_session(const RunSettings *plan, const Jail *jail, Session *session);

@@ -7,13 +7,13 @@
 #include <string.h>
 #include <unistd.h>
 
-static void place(char path[FILES_PATH], const char *output, const char *kind, const Entry *entry,
+static void place(char path[FILES_PATH], const char *output, const char *kind, const RosterEntry *entry,
                   const char *end) {
     int length = snprintf(path, FILES_PATH, "%s/%s/%s.%s", output, kind, entry->file, end);
     INVARIANT(length < FILES_PATH);
 }
 
-static bool write_record(const char *output, const Entry *entry, const char *reason, json_t *report) {
+static bool write_record(const char *output, const RosterEntry *entry, const char *reason, json_t *report) {
     char path[FILES_PATH];
     json_t *root = json_pack("{s:i, s:s, s:b, s:s, s:o}", "version", 1, "submission", entry->shown, "graded",
                              reason[0] == '\0', "reason", reason, "report", report);
@@ -26,7 +26,7 @@ static bool write_record(const char *output, const Entry *entry, const char *rea
     return ok;
 }
 
-static bool write_page(const char *output, const Entry *entry, const Report *report) {
+static bool write_page(const char *output, const RosterEntry *entry, const Report *report) {
     char path[FILES_PATH];
     char *page = report_html(report, entry->shown);
     place(path, output, "pages", entry, "html");
@@ -35,12 +35,12 @@ static bool write_page(const char *output, const Entry *entry, const Report *rep
     return ok;
 }
 
-bool record_write(const char *output, const Entry *entry, const Report *report) {
+bool submission_record_write(const char *output, const RosterEntry *entry, const Report *report) {
     return write_page(output, entry, report) && write_record(output, entry, "", report_json(report));
 }
 
-bool record_write_failure(const char *output, const Entry *entry, const char *reason) {
-    char path[FILES_PATH], *shown = escape_name(reason);
+bool submission_record_write_failure(const char *output, const RosterEntry *entry, const char *reason) {
+    char path[FILES_PATH], *shown = printable_name(reason);
     place(path, output, "pages", entry, "html");
     unlink(path);
     bool ok = write_record(output, entry, shown[0] ? shown : "unknown", json_null());
@@ -48,7 +48,7 @@ bool record_write_failure(const char *output, const Entry *entry, const char *re
     return ok;
 }
 
-json_t *record_read(const char *output, const Entry *entry) {
+json_t *submission_record_read(const char *output, const RosterEntry *entry) {
     char path[FILES_PATH];
     place(path, output, "results", entry, "json");
     json_t *root = json_load_file(path, 0, NULL);
@@ -59,7 +59,7 @@ json_t *record_read(const char *output, const Entry *entry) {
     return NULL;
 }
 
-bool record_is_graded(const json_t *record) {
+bool submission_record_is_graded(const json_t *record) {
     return json_is_true(json_object_get(record, "graded")) &&
            json_is_object(json_object_get(record, "report"));
 }

@@ -6,22 +6,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-void table_read(Table *table, const char *output, const Roll *roll, const Plan *plan) {
-    *table = (Table){roll, plan, calloc((size_t)roll->count, sizeof(json_t *))};
+void table_read(Table *table, const char *output, const Roster *roster, const RunSettings *plan) {
+    *table = (Table){roster, plan, calloc((size_t)roster->count, sizeof(json_t *))};
     INVARIANT(table->records);
-    for (int i = 0; i < roll->count; i++)
-        table->records[i] = record_read(output, &roll->entries[i]);
+    for (int i = 0; i < roster->count; i++)
+        table->records[i] = submission_record_read(output, &roster->entries[i]);
 }
 
 void table_free(Table *table) {
-    for (int i = 0; table->records && i < table->roll->count; i++)
+    for (int i = 0; table->records && i < table->roster->count; i++)
         json_decref(table->records[i]);
     free(table->records);
     *table = (Table){0};
 }
 
 bool table_is_graded(const Table *table, int i) {
-    return record_is_graded(table->records[i]);
+    return submission_record_is_graded(table->records[i]);
 }
 
 const char *table_reason(const Table *table, int i) {

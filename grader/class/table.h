@@ -8,13 +8,13 @@
 #include <stdbool.h>
 
 typedef struct Table {
-    const Roll *roll;
-    const Plan *plan;
+    const Roster *roster;
+    const RunSettings *plan;
     json_t **records; // one an entry, NULL where there is none
 } Table;
 
 // Reads the records of the roll's entries from OUT. Roll and plan must outlive the table.
-void table_read(Table *table, const char *output, const Roll *roll, const Plan *plan);
+void table_read(Table *table, const char *output, const Roster *roster, const RunSettings *plan);
 void table_free(Table *table); // accepts a zeroed table
 
 // Has entry i a grade?

@@ -15,6 +15,6 @@ typedef struct Ticker {
 // Of `total` submissions, `earlier` were finished before.
 void ticker_begin(Ticker *ticker, FILE *out, int total, int earlier);
 
-// One more is finished. `name` is as escape_name gives it, `result` what is said about it.
+// One more is finished. `name` is as printable_name gives it, `result` what is said about it.
 void ticker_step(Ticker *ticker, const char *name, const char *result, bool failed);
 void ticker_end(const Ticker *ticker); // ends the line of the bar

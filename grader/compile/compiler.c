@@ -58,7 +58,7 @@ static bool take_library(const char *folder, const char *out) {
     return files_take(out, "lab.so", library, MAX_LIBRARY_MIB << 20);
 }
 
-bool compile_lab(const char *folder, const Jail *jail, char log[COMPILE_LOG]) {
+bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG]) {
     static _Thread_local Process process;
     char out[FILES_PATH];
     files_join(out, folder, "out");
@@ -85,7 +85,7 @@ static bool locate_one(const char *folder, const Jail *jail, const char *offset,
     return true;
 }
 
-void compile_locate(const char *folder, const Jail *jail, char *text, size_t size) {
+void compiler_locate(const char *folder, const Jail *jail, char *text, size_t size) {
     char *mark = strstr(text, " @0x");
     char *end = mark ? strchr(mark + 2, '@') : NULL;
     if (!end)

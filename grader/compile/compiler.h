@@ -10,8 +10,8 @@ enum { COMPILE_LOG = 16 * 1024 };
 
 // Compiles folder/lab.c with fixed arguments and limits, in the jail (NULL: it is our own, outside). `log`
 // gets what gcc says (errors or warnings). False with a message when there is no lab.so.
-bool compile_lab(const char *folder, const Jail *jail, char log[COMPILE_LOG]);
+bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG]);
 
 // Replaces "@0xOFFSET@" in `text` by "lab.c:LINE", from the debug information of folder/lab.so, which is read
 // in the jail (NULL: outside).
-void compile_locate(const char *folder, const Jail *jail, char *text, size_t size);
+void compiler_locate(const char *folder, const Jail *jail, char *text, size_t size);

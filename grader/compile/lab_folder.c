@@ -35,7 +35,7 @@ static bool apply_edits(Texts *texts, const Rubric *rubric, const Change *change
         if (i == rubric->file_count)
             return check_fail("\"%s\" edits %s, which rubric.json does not list", change->name,
                               change->edits[e].file);
-        if (!replace_text(&texts->of[i], source_edit(texts->of[i], &change->edits[e])))
+        if (!replace_text(&texts->of[i], task_blocks_edit(texts->of[i], &change->edits[e])))
             return false;
     }
     return true;
@@ -47,7 +47,7 @@ static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
         files_join(path, rubric->folder, rubric->files[i]);
         texts->of[i] = files_read(path, DERIVE_MAX_FILE);
         if (!texts->of[i] ||
-            !replace_text(&texts->of[i], source_select(rubric->files[i], texts->of[i], solved, true)))
+            !replace_text(&texts->of[i], task_blocks_select(rubric->files[i], texts->of[i], solved, true)))
             return false;
     }
     return true;
@@ -57,7 +57,7 @@ static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
 static uint64_t hash_texts(const Texts *texts, const Rubric *rubric) {
     char worker[FILES_PATH];
     struct stat info = {0};
-    home_build_path(worker, "worker");
+    places_build_path(worker, "worker");
     stat(worker, &info);
     uint64_t hash = hash_bytes(HASH_START, &info.st_mtim, sizeof info.st_mtim);
     hash = hash_bytes(hash, rubric->id, sizeof rubric->id);
@@ -82,7 +82,7 @@ static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts
     snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
     if (!files_make_folder(aside) || !write_texts(aside, rubric, texts))
         return false;
-    if (!compile_lab(aside, NULL, log)) {
+    if (!compiler_build(aside, NULL, log)) {
         files_remove(aside);
         return check_fail("%s", log) || check_fail("our own lab %s does not compile", rubric->id);
     }
@@ -92,14 +92,14 @@ static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts
     return true;
 }
 
-bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, const Change *change) {
+bool lab_folder_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, const Change *change) {
     Texts texts = {0};
     bool ok = read_ours(&texts, rubric, solved) && apply_edits(&texts, rubric, change);
     if (ok) {
         char name[64];
         snprintf(name, sizeof name, "cache/%s-%016llx", rubric->id,
                  (unsigned long long)hash_texts(&texts, rubric));
-        home_build_path(folder, name);
+        places_build_path(folder, name);
         ok = files_exists(folder) || build_in_cache(folder, rubric, &texts);
     }
     free_texts(&texts);
@@ -120,23 +120,23 @@ static bool take_library(const char *folder, const char *earlier) {
     return same && link(old_path, path) == 0;
 }
 
-bool derive_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
-                  const Jail *jail, char log[COMPILE_LOG]) {
+bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
+                      const Jail *jail, char log[COMPILE_LOG]) {
     Texts texts = {0};
     bool ok = true;
     log[0] = '\0';
     for (int i = 0; ok && i < rubric->file_count; i++) {
         texts.of[i] = files_read_strange(submission, rubric->files[i], DERIVE_MAX_FILE);
-        ok = texts.of[i] && replace_text(&texts.of[i], source_select(rubric->files[i], texts.of[i],
-                                                                     (Solved){SOLVED_ALL, NULL}, true));
+        ok = texts.of[i] && replace_text(&texts.of[i], task_blocks_select(rubric->files[i], texts.of[i],
+                                                                          (Solved){SOLVED_ALL, NULL}, true));
     }
     ok = ok && write_texts(folder, rubric, &texts) &&
-         ((earlier && take_library(folder, earlier)) || compile_lab(folder, jail, log));
+         ((earlier && take_library(folder, earlier)) || compiler_build(folder, jail, log));
     free_texts(&texts);
     return ok;
 }
 
-bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
-                       char log[COMPILE_LOG]) {
-    return derive_again(folder, NULL, rubric, submission, jail, log);
+bool lab_folder_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
+                           char log[COMPILE_LOG]) {
+    return lab_folder_again(folder, NULL, rubric, submission, jail, log);
 }

@@ -10,17 +10,17 @@
 // From the annotated source: the solution, the skeleton or something between, with a change from the rubric
 // (NULL for none). Kept in build/cache under a name made from its content, and found there the next time.
 // False with a message.
-bool derive_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, const Change *change);
+bool lab_folder_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, const Change *change);
 
 // From a submission: copies only the files that the rubric names to the new folder `folder` and compiles
 // them in the jail (NULL: the grader's own user trusts it). `log` gets gcc's words. False with a message that
 // names the file that is missing, strange or wrong.
-bool derive_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
-                       char log[COMPILE_LOG]);
+bool lab_folder_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
+                           char log[COMPILE_LOG]);
 
 // The same, but lab.so is taken from `earlier` (NULL: none), a folder that was made so before, when lab.c has
 // not changed since: a change of a shader needs no compiler of C.
-bool derive_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
-                  const Jail *jail, char log[COMPILE_LOG]);
+bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
+                      const Jail *jail, char log[COMPILE_LOG]);
 
 enum { DERIVE_MAX_FILE = 1 << 18 };

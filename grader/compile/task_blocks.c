@@ -76,7 +76,7 @@ static bool step(Selection *at, const char *name, int number, const char *line, 
     return true;
 }
 
-char *source_select(const char *name, const char *text, Solved solved, bool keep_lines) {
+char *task_blocks_select(const char *name, const char *text, Solved solved, bool keep_lines) {
     Selection at = {0};
     char *result = malloc(strlen(text) + 1), *end = result;
     int number = 1;
@@ -104,7 +104,7 @@ char *source_select(const char *name, const char *text, Solved solved, bool keep
     return result;
 }
 
-char *source_edit(const char *text, const Edit *edit) {
+char *task_blocks_edit(const char *text, const Edit *edit) {
     const char *at = strstr(text, edit->find);
     if (!at || strstr(at + 1, edit->find)) {
         check_fail("%s: the text to replace stands there %s: %s", edit->file,
@@ -121,7 +121,7 @@ char *source_edit(const char *text, const Edit *edit) {
     return result;
 }
 
-void source_tasks(const char *text, void (*visit)(const char *task, void *context), void *context) {
+void task_blocks_list(const char *text, void (*visit)(const char *task, void *context), void *context) {
     char task[16];
     for (const char *line = text; line && *line; line = strchr(line, '\n'), line += line != NULL)
         if (line_kind(line) == LINE_BEGIN && read_task(line, task))

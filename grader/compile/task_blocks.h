@@ -25,10 +25,10 @@ typedef struct Edit {
 // Returns `text` with each marked block reduced to one half; NULL with a message that names `name` and line
 // when the markers do not fit together. With keep_lines the dropped lines stay as empty ones, so that line
 // numbers are true. The caller frees the result.
-char *source_select(const char *name, const char *text, Solved solved, bool keep_lines);
+char *task_blocks_select(const char *name, const char *text, Solved solved, bool keep_lines);
 
 // Returns `text` with the edit applied; NULL with a message when edit->find is not there exactly once.
-char *source_edit(const char *text, const Edit *edit);
+char *task_blocks_edit(const char *text, const Edit *edit);
 
 // Calls visit for the task id of each marked block, in order.
-void source_tasks(const char *text, void (*visit)(const char *task, void *context), void *context);
+void task_blocks_list(const char *text, void (*visit)(const char *task, void *context), void *context);

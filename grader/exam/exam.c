@@ -56,20 +56,20 @@ bool exam_acceptable(const Variant *variants, int n) {
     return true;
 }
 
-typedef struct Painters {
-    Roster *roster;
+typedef struct Trio {
+    Painters *painters;
     const Painter *solution, *skeleton, *without;
-} Painters;
+} Trio;
 
-static bool draw_variant(Variant *variant, const Painters *painters, char renderer[128]) {
+static bool draw_variant(Variant *variant, const Trio *trio, char renderer[128]) {
     static Reply reply;
-    if (!roster_draw(painters->roster, painters->skeleton, &variant->request, &variant->skeleton, &reply) ||
-        !roster_draw(painters->roster, painters->without, &variant->request, &variant->without, &reply) ||
-        !roster_draw(painters->roster, painters->solution, &variant->request, &variant->reference, &reply))
+    if (!painters_draw(trio->painters, trio->skeleton, &variant->request, &variant->skeleton, &reply) ||
+        !painters_draw(trio->painters, trio->without, &variant->request, &variant->without, &reply) ||
+        !painters_draw(trio->painters, trio->solution, &variant->request, &variant->reference, &reply))
         return false;
     memcpy(renderer, reply.renderer, sizeof reply.renderer);
     return reply.drawn ||
-           check_fail("our own solution in %s draws nothing: %s", painters->solution->folder, reply.message);
+           check_fail("our own solution in %s draws nothing: %s", trio->solution->folder, reply.message);
 }
 
 typedef struct Draw {
@@ -91,7 +91,7 @@ static bool draw_request(Draw *draw, Request *request, const Check *check) {
     return ok;
 }
 
-static bool create_check(Exam *exam, int c, const Painters *painters) {
+static bool create_check(Exam *exam, int c, const Trio *trio) {
     const Check *check = &exam->rubric->checks[c];
     Draw draw = begin_draw(exam, c);
     bool ok = true;
@@ -99,7 +99,7 @@ static bool create_check(Exam *exam, int c, const Painters *painters) {
     for (int try = 0; ok && n < check->variants && try < MAX_TRIES; try++) {
         Variant *variant = &exam->variants[c][n];
         exam->tries[c][n] = try;
-        ok = draw_request(&draw, &variant->request, check) && draw_variant(variant, painters, exam->renderer);
+        ok = draw_request(&draw, &variant->request, check) && draw_variant(variant, trio, exam->renderer);
         n += ok && exam_acceptable(exam->variants[c], n);
     }
     if (ok && n < check->variants)
@@ -128,17 +128,16 @@ bool exam_restore(Exam *exam, const Rubric *rubric, uint64_t seed,
     return true;
 }
 
-bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed) {
+bool exam_create(Exam *exam, const Rubric *rubric, Painters *painters, uint64_t seed) {
     memset(exam, 0, sizeof *exam);
     exam->rubric = rubric;
-    exam->roster = roster;
+    exam->painters = painters;
     exam->seed = seed;
     for (int c = 0; c < rubric->check_count; c++) {
-        Painters painters = {roster, roster_get(roster, (Solved){SOLVED_ALL, NULL}, NULL),
-                             roster_get(roster, (Solved){SOLVED_NONE, NULL}, NULL),
-                             roster_get(roster, (Solved){SOLVED_ALL_BUT, rubric->checks[c].task}, NULL)};
-        if (!painters.solution || !painters.skeleton || !painters.without ||
-            !create_check(exam, c, &painters)) {
+        Trio trio = {painters, painters_get(painters, (Solved){SOLVED_ALL, NULL}, NULL),
+                     painters_get(painters, (Solved){SOLVED_NONE, NULL}, NULL),
+                     painters_get(painters, (Solved){SOLVED_ALL_BUT, rubric->checks[c].task}, NULL)};
+        if (!trio.solution || !trio.skeleton || !trio.without || !create_check(exam, c, &trio)) {
             exam_destroy(exam);
             return false;
         }
@@ -156,11 +155,11 @@ static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant
     static Reply reply;
     if (late->known)
         return shown(late, variant);
-    const Painter *painter = exam->roster ? roster_get(exam->roster, solved, change) : NULL;
-    if (!exam->roster)
+    const Painter *painter = exam->painters ? painters_get(exam->painters, solved, change) : NULL;
+    if (!exam->painters)
         check_fail("a picture is missing in the recorded exam %llu of lab %s", (unsigned long long)exam->seed,
                    exam->rubric->id);
-    if (!painter || !roster_draw(exam->roster, painter, &variant->request, &late->image, &reply))
+    if (!painter || !painters_draw(exam->painters, painter, &variant->request, &late->image, &reply))
         return NULL;
     late->known = true;
     late->drawn = reply.drawn;

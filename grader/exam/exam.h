@@ -23,7 +23,7 @@ typedef struct LatePicture {
 
 typedef struct Exam {
     const Rubric *rubric;
-    Roster *roster; // draws what is asked for later; NULL when everything was recorded
+    Painters *painters; // draws what is asked for later; NULL when everything was recorded
     uint64_t seed;
     Variant variants[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]; // which of the drawn variants each one is, from 0
@@ -38,8 +38,8 @@ typedef struct Exam {
 // other variants all get 0.
 bool exam_acceptable(const Variant *variants, int n);
 
-// Draws the variants, all of them acceptable. The roster must outlive the exam.
-bool exam_create(Exam *exam, const Rubric *rubric, Roster *roster, uint64_t seed);
+// Draws the variants, all of them acceptable. The painters must outlive the exam.
+bool exam_create(Exam *exam, const Rubric *rubric, Painters *painters, uint64_t seed);
 void exam_destroy(Exam *exam); // accepts a zeroed exam
 
 // The same requests as exam_create makes, from its `tries`, but no pictures. False with a message.

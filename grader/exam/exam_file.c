@@ -14,19 +14,19 @@
 // distance from the reference, 0 for the reference itself.
 enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + 3 };
 
-bool recorded_only(void) {
+bool exam_file_only(void) {
     char solutions[FILES_PATH], recorded[FILES_PATH];
-    home_path(solutions, "solutions");
-    home_path(recorded, "grader/recorded/seeds.json");
+    places_path(solutions, "solutions");
+    places_path(recorded, "grader/recorded/seeds.json");
     return !files_exists(solutions) && files_exists(recorded);
 }
 
-bool recorded_draw_seed(uint64_t *seed) {
+bool exam_file_draw_seed(uint64_t *seed) {
     char path[FILES_PATH];
     INVARIANT(getrandom(seed, sizeof *seed, 0) == sizeof *seed);
-    if (!recorded_only())
+    if (!exam_file_only())
         return true;
-    home_path(path, "grader/recorded/seeds.json");
+    places_path(path, "grader/recorded/seeds.json");
     json_t *seeds = json_load_file(path, 0, NULL);
     size_t count = json_array_size(seeds);
     const char *text = count ? json_string_value(json_array_get(seeds, *seed % count)) : NULL;
@@ -36,13 +36,13 @@ bool recorded_draw_seed(uint64_t *seed) {
     return text || check_fail("%s cannot be read", path);
 }
 
-bool recorded_is_handed_out(const Rubric *rubric, const char *name) {
+bool exam_file_is_handed_out(const Rubric *rubric, const char *name) {
     char folder[FILES_PATH], path[FILES_PATH];
     if (strlen(name) > 200)
         return false;
     snprintf(folder, sizeof folder, "%s", rubric->folder);
-    if (recorded_only()) {
-        home_path(path, "grader/recorded/labs");
+    if (exam_file_only()) {
+        places_path(path, "grader/recorded/labs");
         files_join(folder, path, strrchr(rubric->folder, '/') + 1);
     }
     files_join(path, folder, name);
@@ -142,7 +142,7 @@ static bool save_check(Exam *exam, int c, const char *folder, json_t *checks) {
     return ok && write_strip(&strip, path);
 }
 
-bool recorded_save(Exam *exam, const char *folder) {
+bool exam_file_save(Exam *exam, const char *folder) {
     char path[FILES_PATH];
     json_t *checks = json_array();
     json_t *root = json_pack("{s:i, s:s, s:o}", "version", 1, "renderer", exam->renderer, "checks", checks);
@@ -220,7 +220,7 @@ static bool restore(Exam *exam, const Rubric *rubric, uint64_t seed, json_t *che
     return exam_restore(exam, rubric, seed, tries);
 }
 
-bool recorded_load(Exam *exam, const Rubric *rubric, uint64_t seed) {
+bool exam_file_load(Exam *exam, const Rubric *rubric, uint64_t seed) {
     char path[FILES_PATH];
     place(path, rubric->folder, seed, ".json");
     json_t *root = json_load_file(path, 0, NULL), *checks = json_object_get(root, "checks");

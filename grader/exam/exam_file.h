@@ -9,17 +9,17 @@
 #include <stdbool.h>
 
 // Is this copy of the project without solutions?
-bool recorded_only(void);
+bool exam_file_only(void);
 
 // A seed that nobody can foresee; where there are no solutions, one of those recorded. False with a message.
-bool recorded_draw_seed(uint64_t *seed);
+bool exam_file_draw_seed(uint64_t *seed);
 
 // Is this the name of a file that students get with the lab?
-bool recorded_is_handed_out(const Rubric *rubric, const char *name);
+bool exam_file_is_handed_out(const Rubric *rubric, const char *name);
 
 // Writes the exam with all that exam_mistake and exam_partial can be asked for to folder/exam-SEED.json and
 // folder/exam-SEED-CHECK.png. False with a message.
-bool recorded_save(Exam *exam, const char *folder);
+bool exam_file_save(Exam *exam, const char *folder);
 
 // Reads the exam of the seed from the rubric's folder. False with a message.
-bool recorded_load(Exam *exam, const Rubric *rubric, uint64_t seed);
+bool exam_file_load(Exam *exam, const Rubric *rubric, uint64_t seed);

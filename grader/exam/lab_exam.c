@@ -6,40 +6,40 @@
 
 #include <stdlib.h>
 
-bool examiner_open(Examiner *examiner, const char *id) {
+bool lab_exam_open(LabExam *examiner, const char *id) {
     char folder[FILES_PATH];
-    *examiner = (Examiner){0};
-    return (home_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) &&
+    *examiner = (LabExam){0};
+    return (places_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) &&
            rubric_load(&examiner->rubric, folder);
 }
 
-Exam *examiner_exam(Examiner *examiner, const GradeOptions *options) {
+Exam *lab_exam_exam(LabExam *examiner, const GradeOptions *options) {
     if (examiner->exam)
         return examiner->exam;
-    examiner->roster.rubric = &examiner->rubric;
-    examiner->roster.context = options->context;
+    examiner->painters.rubric = &examiner->rubric;
+    examiner->painters.context = options->context;
     Exam *exam = calloc(1, sizeof *exam);
     INVARIANT(exam);
-    if (recorded_only() ? recorded_load(exam, &examiner->rubric, options->seed)
-                        : exam_create(exam, &examiner->rubric, &examiner->roster, options->seed))
+    if (exam_file_only() ? exam_file_load(exam, &examiner->rubric, options->seed)
+                         : exam_create(exam, &examiner->rubric, &examiner->painters, options->seed))
         return examiner->exam = exam;
     free(exam);
     return NULL;
 }
 
-void examiner_rest(Examiner *examiner) {
-    client_stop(&examiner->roster.client);
+void lab_exam_rest(LabExam *examiner) {
+    worker_client_stop(&examiner->painters.client);
 }
 
-void examiner_forget(Examiner *examiner) {
+void lab_exam_forget(LabExam *examiner) {
     if (examiner->exam)
         exam_destroy(examiner->exam);
     free(examiner->exam);
     examiner->exam = NULL;
-    roster_destroy(&examiner->roster);
+    painters_destroy(&examiner->painters);
 }
 
-void examiner_close(Examiner *examiner) {
-    examiner_forget(examiner);
+void lab_exam_close(LabExam *examiner) {
+    lab_exam_forget(examiner);
     rubric_destroy(&examiner->rubric);
 }

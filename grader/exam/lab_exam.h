@@ -15,22 +15,22 @@ typedef struct GradeOptions {
     bool evidence;    // keep pictures of what failed in the result
 } GradeOptions;
 
-typedef struct Examiner {
+typedef struct LabExam {
     Rubric rubric;
-    Roster roster;
+    Painters painters;
     Exam *exam; // NULL until it is first needed
-} Examiner;
+} LabExam;
 
 // Reads the rubric of the lab "03". False with a message.
-bool examiner_open(Examiner *examiner, const char *id);
+bool lab_exam_open(LabExam *examiner, const char *id);
 
 // The exam of the options' seed; drawn the first time, or read where there are no solutions. Ours until
-// examiner_forget or examiner_close. NULL with a message.
-Exam *examiner_exam(Examiner *examiner, const GradeOptions *options);
+// lab_exam_forget or lab_exam_close. NULL with a message.
+Exam *lab_exam_exam(LabExam *examiner, const GradeOptions *options);
 
 // Stops what draws the exam until a picture is wanted that it has not got: it holds some 200 MiB a lab.
-void examiner_rest(Examiner *examiner);
+void lab_exam_rest(LabExam *examiner);
 
 // Frees the exam and stops what draws it, but keeps the rubric.
-void examiner_forget(Examiner *examiner);
-void examiner_close(Examiner *examiner); // accepts a zeroed examiner
+void lab_exam_forget(LabExam *examiner);
+void lab_exam_close(LabExam *examiner); // accepts a zeroed examiner

@@ -15,20 +15,21 @@ typedef struct Painter {
     char folder[FILES_PATH];
 } Painter;
 
-typedef struct Roster {
+typedef struct Painters {
     const Rubric *rubric;
     ContextKind context;
-    Client client; // the worker
+    WorkerClient client; // the worker
     Painter *painters[ROSTER_MAX];
     int count;
-} Roster;
+} Painters;
 
 // The lab with these tasks solved and this change, ready to draw. NULL with a message when it cannot be
 // built.
-const Painter *roster_get(Roster *roster, Solved solved, const Change *change);
+const Painter *painters_get(Painters *painters, Solved solved, const Change *change);
 
 // Draws with one of ours. False with a message when the worker is lost: a fault of ours. A lab that says why
 // it drew nothing counts as black.
-bool roster_draw(Roster *roster, const Painter *painter, const Request *request, Image *image, Reply *reply);
+bool painters_draw(Painters *painters, const Painter *painter, const Request *request, Image *image,
+                   Reply *reply);
 
-void roster_destroy(Roster *roster); // accepts a zeroed roster
+void painters_destroy(Painters *painters); // accepts a zeroed painters

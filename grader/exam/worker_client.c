@@ -18,18 +18,18 @@ static const bool limits_memory = false; // the sanitizer reserves terabytes of 
 static const bool limits_memory = true;
 #endif
 
-static double wall_seconds(const Client *client) {
+static double wall_seconds(const WorkerClient *client) {
     return client->seconds * (client->patience > 0 ? client->patience : 1);
 }
 
-bool client_start(Client *client) {
+bool worker_client_start(WorkerClient *client) {
     char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
     if (client->program) // of ours, and outside
-        home_build_path(worker, client->program);
+        places_build_path(worker, client->program);
     else
         jail_part(client->jail, "worker", worker);
     jail_part(client->jail, "shaders", shaders);
-    home_build_path(cache, "cache/shaders");
+    places_build_path(cache, "cache/shaders");
     snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
     bool ours = client->trust == TRUST_OURS;
     char *arguments[] = {worker, (char *)context_name(client->context), client->folder, shaders, NULL};
@@ -58,14 +58,14 @@ bool client_start(Client *client) {
 }
 
 // SIGXCPU can be ignored; a second later the kernel kills.
-static bool used_up_its_time(const Client *client) {
+static bool used_up_its_time(const WorkerClient *client) {
     const Process *process = &client->process;
     int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
     return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
            (number == SIGKILL && !client->each_turn && process->cpu_seconds >= client->seconds);
 }
 
-static DrawResult explain_end(const Client *client, char *text, size_t size) {
+static DrawResult explain_end(const WorkerClient *client, char *text, size_t size) {
     const Process *process = &client->process;
     int status = process->status;
     text[0] = '\0';
@@ -107,10 +107,11 @@ static void clean_reply(Reply *reply) {
 }
 
 // The reply and exactly `size` bytes of payload; zeroes when they do not come.
-static DrawResult exchange(Client *client, const Request *request, void *payload, size_t size, Reply *reply) {
+static DrawResult exchange(WorkerClient *client, const Request *request, void *payload, size_t size,
+                           Reply *reply) {
     memset(reply, 0, sizeof *reply);
     Process *process = &client->process;
-    bool ok = (client->started || client_start(client)) &&
+    bool ok = (client->started || worker_client_start(client)) &&
               process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
               process_exchange(process, NULL, 0, payload, size);
     clean_reply(reply);
@@ -124,12 +125,12 @@ static DrawResult exchange(Client *client, const Request *request, void *payload
         result = explain_end(client, reply->message, sizeof reply->message);
     }
     if (reply->message[0])
-        compile_locate(client->trust == TRUST_OURS ? request->folder : client->folder, client->jail,
-                       reply->message, sizeof reply->message);
+        compiler_locate(client->trust == TRUST_OURS ? request->folder : client->folder, client->jail,
+                        reply->message, sizeof reply->message);
     return result;
 }
 
-DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply) {
+DrawResult worker_client_draw(WorkerClient *client, const Request *request, Image *image, Reply *reply) {
     if (image->width != request->width || image->height != request->height) {
         image_destroy(image);
         INVARIANT(image_create(image, request->width, request->height));
@@ -137,7 +138,8 @@ DrawResult client_draw(Client *client, const Request *request, Image *image, Rep
     return exchange(client, request, image->rgba, image_bytes(image), reply);
 }
 
-DrawResult client_describe(Client *client, const Request *request, Description *description, Reply *reply) {
+DrawResult worker_client_describe(WorkerClient *client, const Request *request, Description *description,
+                                  Reply *reply) {
     Request asked = *request;
     asked.describe = 1;
     DrawResult result = exchange(client, &asked, description, sizeof *description, reply);
@@ -147,12 +149,12 @@ DrawResult client_describe(Client *client, const Request *request, Description *
     return result;
 }
 
-void client_begin(Client *client) {
+void worker_client_begin(WorkerClient *client) {
     if (client->started && (client->trust == TRUST_NOBODY || client->each_turn))
         client->process.deadline = process_now() + wall_seconds(client);
 }
 
-void client_stop(Client *client) {
+void worker_client_stop(WorkerClient *client) {
     if (client->started)
         process_stop(&client->process);
     client->started = false;

@@ -15,7 +15,7 @@ typedef enum Trust {
     TRUST_NOBODY // a submission: limits on time and memory, nothing shared, and the jail
 } Trust;
 
-typedef struct Client {
+typedef struct WorkerClient {
     char folder[FILES_PATH]; // holds lab.so and the lab's shaders; "-" for a worker of several labs of ours
     Trust trust;
     const Jail *jail; // for a submission; NULL: its own author grades it, outside
@@ -24,10 +24,11 @@ typedef struct Client {
     bool quick_shaders;  // compiled sooner and worse: for frames that are few and small; the same pixels
     double seconds;      // processor time that a submission may use
     double patience;     // wall time that it may use, in units of that; 0: 1
-    bool each_turn; // `seconds` is wall time and begins anew with client_begin, whoever draws: for a window
+    bool each_turn; // `seconds` is wall time and begins anew with worker_client_begin, whoever draws: for a
+                    // window
     bool started;
     Process process;
-} Client;
+} WorkerClient;
 
 typedef enum DrawResult {
     DRAW_OK,     // the picture is there
@@ -38,14 +39,15 @@ typedef enum DrawResult {
 
 // Draws one frame; starts the worker first when it does not run. A lost worker stays lost. `image` is created
 // at the size of the request when it has another one. A worker of several labs looks at request->folder.
-DrawResult client_draw(Client *client, const Request *request, Image *image, Reply *reply);
+DrawResult worker_client_draw(WorkerClient *client, const Request *request, Image *image, Reply *reply);
 
 // The lab's table, made safe (see Description); all zero unless the result is DRAW_OK.
-DrawResult client_describe(Client *client, const Request *request, Description *description, Reply *reply);
+DrawResult worker_client_describe(WorkerClient *client, const Request *request, Description *description,
+                                  Reply *reply);
 
 // Starts the worker without waiting for it, so that several start side by side. False: no process can be
 // started.
-bool client_start(Client *client);
+bool worker_client_start(WorkerClient *client);
 // The wall time of a running worker begins anew: what has passed was spent by us, or on earlier turns.
-void client_begin(Client *client);
-void client_stop(Client *client); // accepts a zeroed client
+void worker_client_begin(WorkerClient *client);
+void worker_client_stop(WorkerClient *client); // accepts a zeroed client

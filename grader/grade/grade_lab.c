@@ -70,10 +70,10 @@ typedef struct Ratios {
 } Ratios;
 
 // Draws one frame of the student's; false when no more frames will come.
-static bool draw_one(LabResult *result, Client *student, const Variant *variant, Image *yours,
+static bool draw_one(LabResult *result, WorkerClient *student, const Variant *variant, Image *yours,
                      float *milliseconds) {
     static Reply reply;
-    DrawResult drawn = client_draw(student, &variant->request, yours, &reply);
+    DrawResult drawn = worker_client_draw(student, &variant->request, yours, &reply);
     if (drawn == DRAW_OK) {
         if (reply.message[0])
             add_warning(result, reply.message);
@@ -94,10 +94,10 @@ static float solution_milliseconds(Exam *exam, int c) {
     Image again = {0};
     const Variant *variant = &exam->variants[c][exam->rubric->checks[c].variants - 1];
     const Painter *solution =
-        exam->milliseconds[c] > 0 ? NULL : roster_get(exam->roster, (Solved){SOLVED_ALL, NULL}, NULL);
+        exam->milliseconds[c] > 0 ? NULL : painters_get(exam->painters, (Solved){SOLVED_ALL, NULL}, NULL);
     bool ok = solution != NULL;
     for (int i = 0; ok && i < 2; i++) // the student's worker has just drawn a frame of this size, too
-        ok = roster_draw(exam->roster, solution, &variant->request, &again, &reply);
+        ok = painters_draw(exam->painters, solution, &variant->request, &again, &reply);
     if (ok)
         exam->milliseconds[c] = exam_milliseconds(&reply);
     image_destroy(&again);
@@ -132,7 +132,7 @@ void grade_pictures(LabResult *result, const Exam *exam) {
         result->status = passed ? LAB_PASSED : LAB_FAILED;
 }
 
-void grade_frames(LabResult *result, Exam *exam, Client *student, bool timed) {
+void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed) {
     Ratios ratios = {0};
     bool alive = true;
     for (int c = 0; c < result->check_count; c++) {
@@ -159,20 +159,20 @@ static void note_ignored(const char *name, void *context) {
     for (int i = 0; i < ignored->rubric->file_count; i++)
         if (strcmp(ignored->rubric->files[i], name) == 0)
             return;
-    if (recorded_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
+    if (exam_file_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
         return;
     char text[400];
     snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
     add_warning(ignored->result, text);
 }
 
-static bool take_submission(LabResult *result, Client *student, const Rubric *rubric,
+static bool take_submission(LabResult *result, WorkerClient *student, const Rubric *rubric,
                             const char *submission) {
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
     Ignored ignored = {rubric, result, 0};
     bool ok = files_is_folder(submission) && files_list(submission, note_ignored, &ignored) &&
-              derive_submission(student->folder, rubric, submission, student->jail, log);
+              lab_folder_submission(student->folder, rubric, submission, student->jail, log);
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
         fail_lab(result, LAB_ERROR, text);
@@ -198,32 +198,33 @@ static void note_output(LabResult *result, const char *printed) {
         add_warning(result, text);
 }
 
-static bool examine(LabResult *result, Examiner *examiner, Client *student, const GradeOptions *options) {
-    client_start(student);
-    Exam *exam = examiner_exam(examiner, options);
+static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
+                    const GradeOptions *options) {
+    worker_client_start(student);
+    Exam *exam = lab_exam_exam(examiner, options);
     if (!exam)
         return false;
-    client_begin(student);
-    grade_frames(result, exam, student, exam->roster && !options->untimed);
+    worker_client_begin(student);
+    grade_frames(result, exam, student, exam->painters && !options->untimed);
     note_output(result, student->process.text);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 
-bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options) {
-    static Client student;
-    student = (Client){.trust = TRUST_NOBODY,
-                       .jail = options->jail,
-                       .context = options->context,
-                       .quick_shaders = true,
-                       .seconds = options->seconds,
-                       .patience = options->patience};
+bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, const GradeOptions *options) {
+    static WorkerClient student;
+    student = (WorkerClient){.trust = TRUST_NOBODY,
+                             .jail = options->jail,
+                             .context = options->context,
+                             .quick_shaders = true,
+                             .seconds = options->seconds,
+                             .patience = options->patience};
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;
     bool ok = true;
     if (take_submission(result, &student, &examiner->rubric, submission))
         ok = examine(result, examiner, &student, options);
-    client_stop(&student);
+    worker_client_stop(&student);
     files_remove(student.folder);
     return ok;
 }

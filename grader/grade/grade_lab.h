@@ -16,7 +16,7 @@ void grade_refuse(LabResult *result, const char *reason);
 // Draws the exam's frames with the student's worker and scores them; the frames stay in the result, which
 // grade_begin has prepared. Timed: the solution draws the last frame of each check again, once an exam, to
 // compare their times.
-void grade_frames(LabResult *result, Exam *exam, Client *student, bool timed);
+void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed);
 
 // Scores the frames that the result already holds, as grade_frames does once they are drawn.
 void grade_pictures(LabResult *result, const Exam *exam);
@@ -24,4 +24,4 @@ void grade_pictures(LabResult *result, const Exam *exam);
 // The whole way of one lab: takes the files from the folder `submission`, compiles, draws, scores, names the
 // mistakes, keeps pictures of what failed when the options ask for them. Everything that a submission can do
 // wrong ends in the result; false with a message is a fault of ours (could not grade).
-bool grade_lab(LabResult *result, Examiner *examiner, const char *submission, const GradeOptions *options);
+bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, const GradeOptions *options);

@@ -21,7 +21,7 @@ static void find_file(char path[FILES_PATH]) {
     if (other && other[0])
         snprintf(path, FILES_PATH, "%s", other);
     else
-        home_path(path, ".progress.json");
+        places_path(path, ".progress.json");
 }
 
 // Reads one lab's entry; false when it is not what we wrote.

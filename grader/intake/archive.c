@@ -16,7 +16,7 @@ static bool has_room(const char *folder) {
            check_fail("there is not enough room for an archive in %s", folder);
 }
 
-Unpacked unpack(const Jail *jail, const char *archive, const char *folder) {
+Unpacked archive_unpack(const Jail *jail, const char *archive, const char *folder) {
     if (access(archive, R_OK) != 0) {
         check_fail("the archive cannot be read");
         return UNPACK_FAILED;

@@ -25,7 +25,7 @@ static void look(const char *name, void *context) {
     if (name[0] == '.' || strcmp(name, "__MACOSX") == 0)
         return;
     content->entries++;
-    content->labs += home_is_lab_name(name);
+    content->labs += places_is_lab_name(name);
     snprintf(content->only, sizeof content->only, "%s", name);
 }
 
@@ -45,7 +45,7 @@ static bool unwrap(char folder[FILES_PATH]) {
 
 static void name_single(Submission *submission) {
     const char *name = strrchr(submission->folder, '/') + 1;
-    if (home_is_lab_name(name))
+    if (places_is_lab_name(name))
         snprintf(submission->single_id, sizeof submission->single_id, "%.2s", name);
 }
 
@@ -69,12 +69,12 @@ bool submission_open(Submission *submission, const char *folder) {
 // The folder of the name that it has in labs/, else the first "03-...".
 static bool find_lab(char folder[FILES_PATH], const char *parent, const char *id) {
     char ours[FILES_PATH];
-    if (home_find_lab(ours, id)) {
+    if (places_find_lab(ours, id)) {
         files_join(folder, parent, strrchr(ours, '/') + 1);
         if (is_folder(folder))
             return true;
     }
-    return home_find_lab_in(folder, parent, id) && is_folder(folder);
+    return places_find_lab_in(folder, parent, id) && is_folder(folder);
 }
 
 bool submission_find(const Submission *submission, const char *id, char folder[FILES_PATH]) {

@@ -22,24 +22,24 @@ static const SystemPath system_paths[] = {
     {"/usr/include", JAIL_TOOLS},    {"/usr/local/include", JAIL_TOOLS}};
 enum { SYSTEM_PATHS = sizeof system_paths / sizeof system_paths[0] };
 
-static void add(Command *command, const char *argument) {
+static void add(BwrapCommand *command, const char *argument) {
     INVARIANT(command->count < COMMAND_MAX - 1);
     command->arguments[command->count++] = (char *)argument;
     command->arguments[command->count] = NULL;
 }
 
-static void add_option(Command *command, const char *option, const char *path) {
+static void add_option(BwrapCommand *command, const char *option, const char *path) {
     add(command, option);
     add(command, path);
 }
 
-static void add_mount(Command *command, const char *option, const char *path) {
+static void add_mount(BwrapCommand *command, const char *option, const char *path) {
     add_option(command, option, path);
     add(command, path);
 }
 
 // On a merged system /lib is a link to usr/lib, and stays one.
-static void add_system_mount(Command *command, const char *path, int *links) {
+static void add_system_mount(BwrapCommand *command, const char *path, int *links) {
     struct stat info;
     if (lstat(path, &info) != 0)
         return;
@@ -56,7 +56,7 @@ static void add_system_mount(Command *command, const char *path, int *links) {
     add(command, path);
 }
 
-static void add_bwrap(Command *command, const Jail *jail, const JailPlan *plan) {
+static void add_bwrap(BwrapCommand *command, const Jail *jail, const JailPlan *plan) {
     // Never --new-session: all must stay in the process's group, by which it is ended.
     static const char *const first[] = {
         "bwrap",         "--unshare-user", "--unshare-ipc",        "--unshare-pid",
@@ -81,7 +81,7 @@ static void add_bwrap(Command *command, const Jail *jail, const JailPlan *plan) 
     add(command, "--");
 }
 
-static void add_shim(Command *command, const Jail *jail, const JailPlan *plan) {
+static void add_shim(BwrapCommand *command, const Jail *jail, const JailPlan *plan) {
     jail_part(jail, "jail_shim", command->shim);
     add(command, command->shim);
     if (plan->kind == JAIL_TOOLS)
@@ -103,7 +103,8 @@ static void add_shim(Command *command, const Jail *jail, const JailPlan *plan) {
     add(command, "--");
 }
 
-void command_make(Command *command, const Jail *jail, const JailPlan *plan, char *const *arguments) {
+void bwrap_command_make(BwrapCommand *command, const Jail *jail, const JailPlan *plan,
+                        char *const *arguments) {
     command->count = 0;
     if (jail->route == JAIL_BWRAP)
         add_bwrap(command, jail, plan);

@@ -5,11 +5,12 @@
 
 enum { COMMAND_MAX = 160 };
 
-typedef struct Command {
+typedef struct BwrapCommand {
     char *arguments[COMMAND_MAX]; // ends with NULL; borrows the strings that it was made from
     int count;
     char shim[FILES_PATH], links[4][64];
-} Command;
+} BwrapCommand;
 
 // Writes the command line that runs `arguments` in the jail as `plan` says.
-void command_make(Command *command, const Jail *jail, const JailPlan *plan, char *const *arguments);
+void bwrap_command_make(BwrapCommand *command, const Jail *jail, const JailPlan *plan,
+                        char *const *arguments);

@@ -56,11 +56,11 @@ bool jail_start(const Jail *jail, const JailPlan *plan, Process *process, char *
                 char *const *environment) {
     if (!jail)
         return process_start(process, arguments, environment, plan->folder, &plan->limits);
-    Command command;
+    BwrapCommand command;
     ProcessLimits limits = plan->limits;
     limits.stranger = true;
     limits.user = jail->user;
-    command_make(&command, jail, plan, arguments);
+    bwrap_command_make(&command, jail, plan, arguments);
     bool ok = lend(jail, plan) && process_start(process, command.arguments, environment,
                                                 jail->route == JAIL_BWRAP ? "/" : plan->folder, &limits);
     process->wrapped = ok && jail->route == JAIL_BWRAP;

@@ -37,7 +37,7 @@ static bool ground_create(Ground *ground) {
 static bool start_probe(const Jail *jail, const Ground *ground, JailKind kind, Process *process) {
     char probe[FILES_PATH], solutions[FILES_PATH], pid[16];
     jail_part(jail, "jail_probe", probe);
-    home_path(solutions, "solutions");
+    places_path(solutions, "solutions");
     snprintf(pid, sizeof pid, "%ld", (long)getpid());
     char *arguments[] = {probe,
                          kind == JAIL_DRAW ? "draw" : "tools",

@@ -26,9 +26,9 @@ void stage_source(const char *name, char path[FILES_PATH]) {
         i++;
     INVARIANT(i < PARTS);
     if (parts[i].built)
-        home_build_path(path, name);
+        places_build_path(path, name);
     else
-        home_path(path, name);
+        places_path(path, name);
 }
 
 static bool copy_bytes(int from, int to, off_t size) {

@@ -10,7 +10,7 @@ enum { MAX_PART = 64 * 1024 };
 
 static bool include(Page *page, const char *name) {
     char path[FILES_PATH];
-    home_path(path, name);
+    places_path(path, name);
     char *text = files_read(path, MAX_PART);
     if (text)
         fputs(text, page->out);

@@ -32,15 +32,15 @@ static bool time_frames(const char *folder, const Request *request, Image *image
     char line[100];
     bool ok = true;
     for (int i = 0; ok && i < RUNS; i++) {
-        Client client = {.trust = trust, .seconds = 60};
+        WorkerClient client = {.trust = trust, .seconds = 60};
         snprintf(client.folder, sizeof client.folder, "%s", folder);
         double start = process_now();
-        ok = client_draw(&client, request, image, &reply) == DRAW_OK;
+        ok = worker_client_draw(&client, request, image, &reply) == DRAW_OK;
         first[i] = 1000 * (process_now() - start);
         start = process_now();
-        ok = ok && client_draw(&client, request, image, &reply) == DRAW_OK;
+        ok = ok && worker_client_draw(&client, request, image, &reply) == DRAW_OK;
         next[i] = 1000 * (process_now() - start);
-        client_stop(&client);
+        worker_client_stop(&client);
     }
     if (!ok)
         return check_fail("the lab does not draw: %s", reply.message);
@@ -62,23 +62,23 @@ static bool time_window(const char *folder, const Request *small) {
     static Reply reply;
     Image image = {0};
     Request request = *small;
-    Client client = {.trust = TRUST_OURS, .each_turn = true, .seconds = 60};
+    WorkerClient client = {.trust = TRUST_OURS, .each_turn = true, .seconds = 60};
     double passes[RUNS], worker[RUNS], ours[RUNS];
     clockid_t clock = CLOCK_MONOTONIC;
     snprintf(client.folder, sizeof client.folder, "%s", folder);
     request.width = 800;
     request.height = 600;
-    bool ok = client_start(&client) && clock_getcpuclockid(client.process.pid, &clock) == 0;
+    bool ok = worker_client_start(&client) && clock_getcpuclockid(client.process.pid, &clock) == 0;
     for (int i = -3; ok && i < RUNS; i++) { // the first ones pay for the shaders
         double start = clock_milliseconds(clock), our_start = clock_milliseconds(CLOCK_THREAD_CPUTIME_ID);
-        ok = client_draw(&client, &request, &image, &reply) == DRAW_OK;
+        ok = worker_client_draw(&client, &request, &image, &reply) == DRAW_OK;
         if (i < 0)
             continue;
         ours[i] = clock_milliseconds(CLOCK_THREAD_CPUTIME_ID) - our_start;
         passes[i] = (double)exam_milliseconds(&reply);
         worker[i] = clock_milliseconds(clock) - start - passes[i];
     }
-    client_stop(&client);
+    worker_client_stop(&client);
     image_destroy(&image);
     if (!ok)
         return check_fail("the lab does not draw: %s", reply.message);
@@ -120,9 +120,9 @@ static bool bench(const char *id) {
     char folder[FILES_PATH];
     Rubric rubric = {0};
     Image image = {0};
-    bool ok = home_find_lab(folder, id) && rubric_load(&rubric, folder) &&
+    bool ok = places_find_lab(folder, id) && rubric_load(&rubric, folder) &&
               scene_make(&request.scene, rubric.checks[0].scene, &(Random){1}) &&
-              derive_ours(folder, &rubric, (Solved){SOLVED_ALL, NULL}, NULL) &&
+              lab_folder_ours(folder, &rubric, (Solved){SOLVED_ALL, NULL}, NULL) &&
               time_frames(folder, &request, &image, TRUST_NOBODY, "new shaders") &&
               time_frames(folder, &request, &image, TRUST_OURS, "known shaders") &&
               time_window(folder, &request) && time_scoring(&image);

@@ -87,7 +87,7 @@ static bool open_output(StudyPlan *plan, Output *output) {
     if (!files_make_folder(path))
         return false;
     files_join(path, plan->output, "state");
-    if (!state_open(&plan->state, path))
+    if (!measurements_open(&plan->state, path))
         return false;
     output->csv = open_part(output->csv_path, plan->output, "chart.csv");
     output->page = open_part(output->page_path, plan->output, "chart.html");
@@ -118,7 +118,7 @@ static bool study(const ChartOptions *options, StudyPlan *plan) {
 static bool choose_jail(const ChartOptions *options, StudyPlan *plan, Jail *jail) {
     if (!options->submission || options->trusted)
         return true;
-    return jail_choose(jail, JAIL_NONE, false, "chart", &plan->crew.jail);
+    return jail_choose(jail, JAIL_NONE, false, "chart", &plan->artists.jail);
 }
 
 static int compare(char **paths) {
@@ -141,19 +141,19 @@ int main(int count, char **arguments) {
         return compare(arguments + optind);
     signal(SIGPIPE, SIG_IGN);
     char standard[FILES_PATH];
-    home_build_path(standard, "study");
+    places_build_path(standard, "study");
     plan.output = options.output ? options.output : standard;
     plan.size = options.size.width ? options.size
                 : options.quick    ? (MetricsSize){320, 240}
                                    : (MetricsSize){640, 480};
     plan.frames = options.frames ? options.frames : options.quick ? 6 : 30;
-    plan.crew.submission_lab = options.lab;
-    plan.crew.submission = options.submission;
+    plan.artists.submission_lab = options.lab;
+    plan.artists.submission = options.submission;
     bool ok = choose_jail(&options, &plan, &jail) && study(&options, &plan);
     if (!ok)
         fprintf(stderr, "\nchart: %s\n", check_message());
-    crew_dismiss(&plan.crew);
-    state_close(&plan.state);
+    lab_artists_dismiss(&plan.artists);
+    measurements_close(&plan.state);
     jail_destroy(&jail);
     return ok ? 0 : 1;
 }

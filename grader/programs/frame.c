@@ -101,7 +101,7 @@ static bool parse(Options *options, int count, char **arguments) {
 // Compiles the student's lab into `folder`; what gcc says is printed.
 static bool take_submission(const char *folder, const Rubric *rubric, const char *submission) {
     static char log[COMPILE_LOG];
-    bool ok = derive_submission(folder, rubric, submission, NULL, log);
+    bool ok = lab_folder_submission(folder, rubric, submission, NULL, log);
     if (log[0])
         fprintf(stderr, "%s\n", log);
     return ok;
@@ -128,12 +128,12 @@ static bool write_job(Options *options, const Rubric *rubric) {
 
 // Draws the student's lab with a worker of its own.
 static bool draw_submission(const Options *options, const Rubric *rubric, Image *image, Reply *reply) {
-    static Client client;
-    client = (Client){.trust = TRUST_NOBODY, .context = options->context, .seconds = 60};
+    static WorkerClient client;
+    client = (WorkerClient){.trust = TRUST_NOBODY, .context = options->context, .seconds = 60};
     bool ok =
         files_make_temporary(client.folder) && take_submission(client.folder, rubric, options->submission);
-    const DrawResult drawn = ok ? client_draw(&client, &options->request, image, reply) : DRAW_LOST;
-    client_stop(&client);
+    const DrawResult drawn = ok ? worker_client_draw(&client, &options->request, image, reply) : DRAW_LOST;
+    worker_client_stop(&client);
     files_remove(client.folder);
     return ok && (drawn == DRAW_OK || check_fail("%s", reply->message));
 }
@@ -141,19 +141,20 @@ static bool draw_submission(const Options *options, const Rubric *rubric, Image 
 static bool draw(Options *options, const Rubric *rubric, const char *path) {
     static Reply reply;
     Image image = {0};
-    Roster roster = {.rubric = rubric, .context = options->context};
+    Painters painters = {.rubric = rubric, .context = options->context};
     Random random = {options->seed};
     const Change *change = options->mistake ? rubric_mistake(rubric, options->mistake) : NULL;
     bool ok = (change || !options->mistake) && scene_make(&options->request.scene, options->scene, &random);
-    const Painter *painter = ok && !options->submission ? roster_get(&roster, options->solved, change) : NULL;
+    const Painter *painter =
+        ok && !options->submission ? painters_get(&painters, options->solved, change) : NULL;
     ok = ok && options->submission
              ? draw_submission(options, rubric, &image, &reply)
-             : painter && roster_draw(&roster, painter, &options->request, &image, &reply);
+             : painter && painters_draw(&painters, painter, &options->request, &image, &reply);
     if (ok && reply.message[0])
         fprintf(stderr, "frame: %s\n", reply.message);
     ok = ok && (reply.drawn || check_fail("nothing was drawn")) && image_write_png(&image, path);
     image_destroy(&image);
-    roster_destroy(&roster);
+    painters_destroy(&painters);
     return ok;
 }
 
@@ -166,7 +167,7 @@ int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
     char folder[FILES_PATH];
     Rubric rubric = {0};
-    bool found = home_find_lab(folder, options.lab) || check_fail("there is no lab \"%s\"", options.lab);
+    bool found = places_find_lab(folder, options.lab) || check_fail("there is no lab \"%s\"", options.lab);
     bool ok = found && rubric_load(&rubric, folder) &&
               (options.job ? write_job(&options, &rubric) : draw(&options, &rubric, arguments[count - 1]));
     if (!ok)

@@ -53,7 +53,7 @@ static int grade_submission(Options *options) {
     static Session session;
     static Jail jail;
     Report report = {0};
-    tidy_on_signals();
+    temporary_on_signals();
     bool ok = jail_choose(&jail, options->route, options->trusted, "grade", &options->grade.jail);
     session.options = options->grade;
     session.options.evidence = options->output || options->format == REPORT_HTML;
@@ -78,7 +78,7 @@ int main(int count, char **arguments) {
         return EXIT_USAGE;
     }
     signal(SIGPIPE, SIG_IGN);
-    if (!options.seeded && !recorded_draw_seed(&options.grade.seed)) {
+    if (!options.seeded && !exam_file_draw_seed(&options.grade.seed)) {
         fprintf(stderr, "grade: %s\n", check_message());
         return EXIT_COULD_NOT;
     }

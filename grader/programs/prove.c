@@ -28,7 +28,7 @@ typedef struct Row {
     double percent;           // of the last run
     double lowest, highest;   // percent
     int right, seeds;         // runs graded as they should be
-    Client contender;         // a worker of its own, kept over the seeds
+    WorkerClient contender;   // a worker of its own, kept over the seeds
     char other[128];          // a diagnosis that was not the mistake's name, or a check that went wrong
 } Row;
 
@@ -138,7 +138,7 @@ static bool draws_the_same(const LabResult *result, Row *row, Exam *exam) {
 
 static void draw_row(LabResult *result, Row *row, const Painter *painter, Exam *exam) {
     row->contender.trust = TRUST_OURS;
-    row->contender.context = exam->roster->context;
+    row->contender.context = exam->painters->context;
     memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
     grade_begin(result, exam->rubric);
     grade_frames(result, exam, &row->contender, false);
@@ -146,9 +146,9 @@ static void draw_row(LabResult *result, Row *row, const Painter *painter, Exam *
 
 // Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from
 // the second seed on.
-static bool run_row(Row *row, Exam *exam, Roster *roster) {
+static bool run_row(Row *row, Exam *exam, Painters *painters) {
     static LabResult result;
-    const Painter *painter = roster_get(roster, row->solved, row->change);
+    const Painter *painter = painters_get(painters, row->solved, row->change);
     if (!painter)
         return false;
     bool first = row->seeds == 0, same = true;
@@ -205,7 +205,7 @@ static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof)
         bool right = row->seeds == proof->seeds && row->right == row->seeds;
         proof->passed += right;
         proof->failed += !right;
-        client_stop(&rows[i].contender);
+        worker_client_stop(&rows[i].contender);
         printf("| %s | %s | %s | %.0f | %.0f | %s%s%s |\n", rubric->id, kinds[row->kind],
                row->change        ? row->change->name
                : row->solved.task ? row->solved.task
@@ -220,13 +220,13 @@ static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof)
     }
 }
 
-static bool prove_seeds(const Rubric *rubric, Proof *proof, Row *rows, int count, Roster *roster) {
+static bool prove_seeds(const Rubric *rubric, Proof *proof, Row *rows, int count, Painters *painters) {
     Exam *exam = calloc(1, sizeof *exam);
     bool ok = exam != NULL;
     for (int seed = 1; ok && seed <= proof->seeds; seed++) {
-        ok = exam_create(exam, rubric, roster, (uint64_t)seed);
+        ok = exam_create(exam, rubric, painters, (uint64_t)seed);
         for (int i = 0; ok && i < count; i++)
-            ok = run_row(&rows[i], exam, roster);
+            ok = run_row(&rows[i], exam, painters);
         if (ok)
             exam_destroy(exam);
     }
@@ -241,15 +241,15 @@ static void prove_lab(const char *id, void *context) {
     Rubric rubric = {0};
     if (proof->broken)
         return;
-    bool ok = (home_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) &&
+    bool ok = (places_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) &&
               rubric_load(&rubric, folder);
-    Roster roster = {.rubric = &rubric, .context = proof->context};
+    Painters painters = {.rubric = &rubric, .context = proof->context};
     if (ok) {
         int count = list_rows(rows, &rubric);
-        ok = prove_seeds(&rubric, proof, rows, count, &roster);
+        ok = prove_seeds(&rubric, proof, rows, count, &painters);
         print_rows(rows, count, &rubric, proof);
     }
-    roster_destroy(&roster);
+    painters_destroy(&painters);
     rubric_destroy(&rubric);
     proof->broken = !ok;
 }
@@ -280,7 +280,7 @@ int main(int count, char **arguments) {
         "| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
         proof.seeds);
     if (lab_count == 0)
-        home_list_labs(prove_lab, &proof);
+        places_list_labs(prove_lab, &proof);
     for (int i = 0; i < lab_count; i++)
         prove_lab(labs[i], &proof);
     if (proof.broken)

@@ -48,21 +48,21 @@ static bool record_texts(const Rubric *rubric, const char *folder) {
 }
 
 static void record_lab(const char *id, void *context) {
-    static Examiner examiner;
+    static LabExam examiner;
     Recording *recording = context;
     char folder[FILES_PATH];
-    if (!recording->ok || !(recording->ok = examiner_open(&examiner, id)))
+    if (!recording->ok || !(recording->ok = lab_exam_open(&examiner, id)))
         return;
     files_join(folder, recording->output, strrchr(examiner.rubric.folder, '/') + 1);
     check_append(folder, sizeof folder, "/");
     bool ok = files_make_folder(folder) && record_texts(&examiner.rubric, folder);
     for (char **seed = recording->seeds; ok && *seed; seed++) {
         const GradeOptions options = {.seed = strtoull(*seed, NULL, 10)};
-        Exam *exam = examiner_exam(&examiner, &options);
-        ok = exam && recorded_save(exam, folder);
-        examiner_forget(&examiner);
+        Exam *exam = lab_exam_exam(&examiner, &options);
+        ok = exam && exam_file_save(exam, folder);
+        lab_exam_forget(&examiner);
     }
-    examiner_close(&examiner);
+    lab_exam_close(&examiner);
     recording->ok = ok;
 }
 
@@ -84,7 +84,7 @@ static bool record_all(const char *lab, const char *output, char **seeds) {
     Recording recording = {output, seeds, true};
     if (lab)
         record_lab(lab, &recording);
-    else if (!home_list_labs(record_lab, &recording))
+    else if (!places_list_labs(record_lab, &recording))
         return false;
     return recording.ok && write_json(output, "seeds.json", list_seeds(seeds));
 }

@@ -10,24 +10,24 @@
 enum { SEEDS = 4 };
 
 typedef struct Table {
-    Client worker; // draws all labs
+    WorkerClient worker; // draws all labs
     bool broken;
 } Table;
 
-static void print_row(const char *id, const Economy *economy) {
+static void print_row(const char *id, const SceneNeeds *economy) {
     char text[ECONOMY_TEXT];
-    economy_describe(text, id, economy);
-    printf("%s %.1f |\n", text, 100 * economy_least(economy));
+    scene_needs_describe(text, id, economy);
+    printf("%s %.1f |\n", text, 100 * scene_needs_least(economy));
 }
 
 static void print_lab(const char *id, void *context) {
     Table *table = context;
-    static Economy economies[ECONOMY_MAX_SCENES];
+    static SceneNeeds economies[ECONOMY_MAX_SCENES];
     char folder[FILES_PATH];
     Rubric rubric = {0};
-    int count = table->broken || !home_find_lab(folder, id) || !rubric_load(&rubric, folder)
+    int count = table->broken || !places_find_lab(folder, id) || !rubric_load(&rubric, folder)
                     ? -1
-                    : economy_measure(economies, &rubric, &table->worker, SEEDS, 2);
+                    : scene_needs_measure(economies, &rubric, &table->worker, SEEDS, 2);
     table->broken = count < 0;
     for (int i = 0; i < count; i++)
         print_row(id, &economies[i]);
@@ -43,8 +43,8 @@ int main(int count, char **arguments) {
     }
     printf("| lab | scene | planes | boxes | spheres | triangles | least need, %% |\n");
     printf("|---|---|---|---|---|---|---|\n");
-    home_list_labs(print_lab, &table);
-    client_stop(&table.worker);
+    places_list_labs(print_lab, &table);
+    worker_client_stop(&table.worker);
     if (table.broken)
         fprintf(stderr, "scenes: %s\n", check_message());
     return table.broken ? 1 : 0;

@@ -55,7 +55,7 @@ static bool copy_file(const char *from, const char *to) {
 
 static bool write_skeleton(const char *from, const char *to, Solved solved) {
     char *text = files_read(from, DERIVE_MAX_FILE);
-    char *skeleton = text ? source_select(from, text, solved, false) : NULL;
+    char *skeleton = text ? task_blocks_select(from, text, solved, false) : NULL;
     bool ok = skeleton && write_changed(to, skeleton, strlen(skeleton));
     free(text);
     free(skeleton);
@@ -77,7 +77,7 @@ static void write_file(const char *name, void *context) {
 static void write_lab(const char *id, void *context) {
     Job *job = context;
     char folder[FILES_PATH];
-    if (!job->ok || !home_find_lab(job->from, id))
+    if (!job->ok || !places_find_lab(job->from, id))
         return;
     files_join(job->to, job->output, strrchr(job->from, '/') + 1);
     snprintf(folder, sizeof folder, "%.4000s/", job->to);
@@ -92,7 +92,7 @@ int main(int count, char **arguments) {
     }
     job.output = arguments[1];
     job.solved = count == 3 ? (Solved){SOLVED_UP_TO, arguments[2]} : (Solved){SOLVED_NONE, NULL};
-    job.ok = home_list_labs(write_lab, &job) && job.ok;
+    job.ok = places_list_labs(write_lab, &job) && job.ok;
     if (!job.ok)
         fprintf(stderr, "skeletons: %s\n", check_message());
     return job.ok ? 0 : 1;

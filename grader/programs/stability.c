@@ -21,7 +21,7 @@ static const char usage[] =
 typedef struct Options {
     bool rows[ROW_COUNT + 1];
     char output[FILES_PATH];
-    Bench bench;
+    LabSet labs;
 } Options;
 
 static bool take_row(Options *options, const char *text) {
@@ -38,8 +38,8 @@ static bool take_mistake(Options *options, char *text) {
     if (!colon)
         return check_fail("--mistake takes NN:NAME, not \"%s\"", text);
     *colon = '\0';
-    options->bench.fault_lab = text;
-    options->bench.fault = colon + 1;
+    options->labs.fault_lab = text;
+    options->labs.fault = colon + 1;
     return true;
 }
 
@@ -62,7 +62,7 @@ static bool parse(Options *options, int count, char **arguments) {
                                           {"output", required_argument, NULL, 'o'},
                                           {"mistake", required_argument, NULL, 'm'},
                                           {0}};
-    home_build_path(options->output, "study");
+    places_build_path(options->output, "study");
     opterr = 0;
     for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;)
         if (!take_option(options, option, optarg))
@@ -113,11 +113,11 @@ static int run_rows(Options *options, RowResult *results, int *failed) {
     *failed = 0;
     for (int i = 1; i <= ROW_COUNT; i++)
         if (options->rows[i] && row_find(i)) {
-            row_run(&results[count], row_find(i), &options->bench);
+            row_run(&results[count], row_find(i), &options->labs);
             print_line(&results[count]);
             *failed += results[count++].status == ROW_FAIL;
         }
-    bench_close(&options->bench);
+    lab_set_close(&options->labs);
     return count;
 }
 

@@ -77,7 +77,7 @@ static bool answer(const Request *request, Reply *reply, void *payload) {
 int main(void) {
     static Request request;
     static Reply reply;
-    while (transfer_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
+    while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
         INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&
                   request.height <= PROTOCOL_MAX_SIZE);
         size_t bytes =
@@ -88,8 +88,8 @@ int main(void) {
         if (ok)
             answer(&request, &reply, payload);
         reply.milliseconds[0] = 1000 * (float)(clock() - start) / CLOCKS_PER_SEC;
-        ok = ok && transfer_write(PROTOCOL_REPLIES, &reply, sizeof reply) &&
-             transfer_write(PROTOCOL_REPLIES, payload, bytes);
+        ok = ok && pipe_write(PROTOCOL_REPLIES, &reply, sizeof reply) &&
+             pipe_write(PROTOCOL_REPLIES, payload, bytes);
         free(payload);
         if (!ok)
             return 1;

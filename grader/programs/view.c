@@ -234,7 +234,7 @@ int main(int count, char **arguments) {
     signal(SIGINT, on_signal);
     signal(SIGTERM, on_signal);
     signal(SIGHUP, on_signal);
-    if (!arguments_parse(&view.options, count, arguments)) {
+    if (!view_options_parse(&view.options, count, arguments)) {
         fprintf(stderr, "view: %s\n%s", check_message(), arguments_usage);
         return 2;
     }

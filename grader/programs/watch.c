@@ -28,10 +28,10 @@ static const char usage[] =
     "exit status: 0 or, without a terminal, 1 when the lab is not done; 2 usage, 3 a fault\n";
 
 typedef struct Watch {
-    Desk desk;
-    Bench bench;
+    LabBoard board;
+    GradingProcess bench;
     Viewer viewer;
-    Changes changes[RESULT_MAX_LABS];
+    FileWatch changes[RESULT_MAX_LABS];
     bool entered; // the lab on the desk has just come there, and is to be graded
     bool listing, dirty, end;
     int marked; // in the list
@@ -40,7 +40,7 @@ typedef struct Watch {
 
 typedef struct Options {
     const char *folder, *lab;
-    BenchOptions bench;
+    GradingOptions bench;
     bool list;
 } Options;
 
@@ -72,9 +72,9 @@ static bool parse(Options *options, int count, char **arguments) {
         {"help", no_argument, NULL, 'h'},          {0}};
     static char labs[FILES_PATH];
     const char *context = getenv("SHADOW_LAB_CONTEXT");
-    home_path(labs, "labs");
+    places_path(labs, "labs");
     *options = (Options){.folder = labs, .bench.seconds = 20};
-    if (!recorded_draw_seed(&options->bench.seed))
+    if (!exam_file_draw_seed(&options->bench.seed))
         return false;
     if (context && !context_parse(&options->bench.context, context))
         return false;
@@ -95,14 +95,14 @@ static bool parse(Options *options, int count, char **arguments) {
 static void ask(Watch *watch) {
     watch->entered = false;
     watch->dirty = true;
-    if (bench_ask(&watch->bench, watch->desk.current))
+    if (grading_process_ask(&watch->bench, watch->board.current))
         return;
-    snprintf(watch->desk.message, sizeof watch->desk.message, "%s", check_message());
+    snprintf(watch->board.message, sizeof watch->board.message, "%s", check_message());
     check_clear();
 }
 
 static void turn_to(Watch *watch, int lab) {
-    desk_turn_to(&watch->desk, lab);
+    lab_board_turn_to(&watch->board, lab);
     watch->listing = false;
     watch->entered = watch->dirty = true;
 }
@@ -114,9 +114,9 @@ static void look(Watch *watch) {
     int others = 0, other = -1;
     if (watch->bench.busy)
         return;
-    for (int lab = 0; lab < watch->desk.lab_count; lab++) {
-        const bool saved = changes_found(&watch->changes[lab]);
-        if (lab == watch->desk.current)
+    for (int lab = 0; lab < watch->board.lab_count; lab++) {
+        const bool saved = file_watch_found(&watch->changes[lab]);
+        if (lab == watch->board.current)
             own = own || saved;
         else if (saved && ++others > 0)
             other = lab;
@@ -125,39 +125,39 @@ static void look(Watch *watch) {
     if (!own && others != 1)
         return;
     if (!watch->entered) // else the message says why we are here
-        watch->desk.message[0] = '\0';
+        watch->board.message[0] = '\0';
     if (!own)
         turn_to(watch, other);
     ask(watch);
 }
 
 static void go_on(Watch *watch) {
-    Desk *desk = &watch->desk;
-    const int next = desk_next(desk);
+    LabBoard *board = &watch->board;
+    const int next = lab_board_next(board);
     if (next < 0)
-        snprintf(desk->message, sizeof desk->message, "there is no other lab that is not done");
+        snprintf(board->message, sizeof board->message, "there is no other lab that is not done");
     else
         turn_to(watch, next);
 }
 
 static void take_verdict(Watch *watch) {
-    Desk *desk = &watch->desk;
-    const Rubric *rubric = &desk->rubrics[desk->current];
+    LabBoard *board = &watch->board;
+    const Rubric *rubric = &board->rubrics[board->current];
     watch->dirty = true;
-    if (!bench_take(&watch->bench) || !desk_take(desk, &watch->bench.verdict))
+    if (!grading_process_take(&watch->bench) || !lab_board_take(board, &watch->bench.verdict))
         return;
-    const int next = desk_next(desk);
-    snprintf(desk->message, sizeof desk->message, "Lab %s is done: %.0f of %.0f points. %s%s%s", rubric->id,
-             desk->verdict.score, desk->verdict.max_score,
+    const int next = lab_board_next(board);
+    snprintf(board->message, sizeof board->message, "Lab %s is done: %.0f of %.0f points. %s%s%s", rubric->id,
+             board->verdict.score, board->verdict.max_score,
              next < 0 ? "All labs are done!" : "Here is the next one; l leads back.",
-             recorded_only() ? "" : " Our solution, to compare: solutions/",
-             recorded_only() ? "" : strrchr(rubric->folder, '/') + 1);
+             exam_file_only() ? "" : " Our solution, to compare: solutions/",
+             exam_file_only() ? "" : strrchr(rubric->folder, '/') + 1);
     if (next >= 0)
         turn_to(watch, next);
 }
 
 static void press_in_list(Watch *watch, int key) {
-    const int count = watch->desk.lab_count;
+    const int count = watch->board.lab_count;
     if (key == KEY_UP || key == 'k')
         watch->marked = (watch->marked + count - 1) % count;
     else if (key == KEY_DOWN || key == 'j')
@@ -169,22 +169,22 @@ static void press_in_list(Watch *watch, int key) {
 }
 
 static void press(Watch *watch, int key) {
-    Desk *desk = &watch->desk;
+    LabBoard *board = &watch->board;
     watch->dirty = true;
-    desk->message[0] = '\0';
+    board->message[0] = '\0';
     if (key == 'q')
         watch->end = true;
     else if (watch->listing)
         press_in_list(watch, key);
     else if (key == 'h')
-        desk_hint(desk);
+        lab_board_hint(board);
     else if (key == 'n')
         go_on(watch);
     else if (key == 'r')
-        viewer_open(&watch->viewer, desk->rubrics[desk->current].id, desk->message, sizeof desk->message);
+        viewer_open(&watch->viewer, board->rubrics[board->current].id, board->message, sizeof board->message);
     else if (key == 'l') {
         watch->listing = true;
-        watch->marked = desk->current;
+        watch->marked = board->current;
     }
 }
 
@@ -195,24 +195,24 @@ static void draw(Watch *watch) {
     terminal_size(&columns, &rows);
     sheet_begin(&sheet, columns);
     if (watch->listing)
-        screens_list(&sheet, &watch->desk, watch->marked);
+        screens_list(&sheet, &watch->board, watch->marked);
     else
-        screens_lab(&sheet, &watch->desk, watch->bench.busy);
-    screens_footer(footer, sizeof footer, &watch->desk, watch->listing, watch->bench.busy);
+        screens_lab(&sheet, &watch->board, watch->bench.busy);
+    screens_footer(footer, sizeof footer, &watch->board, watch->listing, watch->bench.busy);
     sheet_show(&sheet, footer, columns, rows, watch->color);
     watch->dirty = false;
 }
 
 static void watch_terminal(Watch *watch) {
-    for (int lab = 0; lab < watch->desk.lab_count; lab++) {
+    for (int lab = 0; lab < watch->board.lab_count; lab++) {
         char folder[FILES_PATH];
-        desk_lab_folder(&watch->desk, lab, folder);
-        changes_begin(&watch->changes[lab], folder, "");
+        lab_board_lab_folder(&watch->board, lab, folder);
+        file_watch_begin(&watch->changes[lab], folder, "");
     }
-    turn_to(watch, watch->desk.current);
+    turn_to(watch, watch->board.current);
     while (!watch->end) {
         look(watch);
-        if (viewer_failed(&watch->viewer, watch->desk.message, sizeof watch->desk.message))
+        if (viewer_failed(&watch->viewer, watch->board.message, sizeof watch->board.message))
             watch->dirty = true;
         if (watch->dirty)
             draw(watch);
@@ -230,21 +230,21 @@ static void watch_terminal(Watch *watch) {
 static void print_once(Watch *watch) {
     static Sheet sheet;
     ask(watch);
-    while (watch->bench.busy && !bench_take(&watch->bench))
+    while (watch->bench.busy && !grading_process_take(&watch->bench))
         ;
-    desk_take(&watch->desk, &watch->bench.verdict);
+    lab_board_take(&watch->board, &watch->bench.verdict);
     sheet_begin(&sheet, PLAIN_WIDTH);
-    screens_lab(&sheet, &watch->desk, false);
+    screens_lab(&sheet, &watch->board, false);
     sheet_print(&sheet, stdout, false);
 }
 
 static void print_list(Watch *watch) {
     static Sheet sheet;
     sheet_begin(&sheet, PLAIN_WIDTH);
-    screens_list(&sheet, &watch->desk, -1);
+    screens_list(&sheet, &watch->board, -1);
     sheet_print(&sheet, stdout, isatty(STDOUT_FILENO) && watch->color);
-    if (watch->desk.message[0])
-        printf("\n%s\n", watch->desk.message);
+    if (watch->board.message[0])
+        printf("\n%s\n", watch->board.message);
 }
 
 static int run(Watch *watch, const Options *options) {
@@ -254,18 +254,18 @@ static int run(Watch *watch, const Options *options) {
     }
     if (terminal_open()) {
         watch_terminal(watch);
-        bench_stop(&watch->bench);
+        grading_process_stop(&watch->bench);
         terminal_close();
-        printf("%.0f of %.0f points; `make watch` goes on\n", desk_score(&watch->desk),
-               desk_max_score(&watch->desk));
+        printf("%.0f of %.0f points; `make watch` goes on\n", lab_board_score(&watch->board),
+               lab_board_max_score(&watch->board));
         return EXIT_DONE;
     }
     char why[200];
     snprintf(why, sizeof why, "%.199s", check_message());
     print_once(watch);
     printf("\nwatch: %s.\nRun `make watch` in a terminal, or `make grade LAB=%s` after each change.\n", why,
-           watch->desk.rubrics[watch->desk.current].id);
-    return watch->desk.verdict.fault ? EXIT_FAULT : watch->desk.verdict.done ? EXIT_DONE : EXIT_OPEN;
+           watch->board.rubrics[watch->board.current].id);
+    return watch->board.verdict.fault ? EXIT_FAULT : watch->board.verdict.done ? EXIT_DONE : EXIT_OPEN;
 }
 
 int main(int count, char **arguments) {
@@ -276,17 +276,17 @@ int main(int count, char **arguments) {
         return EXIT_USAGE;
     }
     signal(SIGPIPE, SIG_IGN);
-    if (!desk_create(&watch.desk, options.folder, options.lab)) {
+    if (!lab_board_create(&watch.board, options.folder, options.lab)) {
         fprintf(stderr, "watch: %s\n", check_message());
-        desk_destroy(&watch.desk);
+        lab_board_destroy(&watch.board);
         return EXIT_USAGE;
     }
     options.bench.folder = options.folder;
-    options.bench.rubrics = watch.desk.rubrics;
+    options.bench.rubrics = watch.board.rubrics;
     watch.bench.options = options.bench;
     watch.color = !getenv("NO_COLOR");
     const int status = run(&watch, &options);
-    bench_stop(&watch.bench);
-    desk_destroy(&watch.desk);
+    grading_process_stop(&watch.bench);
+    lab_board_destroy(&watch.board);
     return status;
 }

@@ -17,7 +17,7 @@ static const struct {
      "the floor: the lens looks at the map around one of its points, and only the picture shows it"},
 };
 
-const char *economy_excuse(const char *scene, int object) {
+const char *scene_needs_excuse(const char *scene, int object) {
     for (size_t i = 0; i < sizeof excuses / sizeof excuses[0]; i++)
         if (strcmp(excuses[i].scene, scene) == 0 && excuses[i].object == object)
             return excuses[i].why;
@@ -32,25 +32,25 @@ static int shape_triangles(Shape shape) {
     return triangles;
 }
 
-int economy_triangles(const Scene *scene) {
+int scene_needs_triangles(const Scene *scene) {
     int triangles = 0;
     for (int i = 0; i < scene->object_count; i++)
         triangles += shape_triangles((Shape)scene->objects[i].shape);
     return triangles;
 }
 
-void economy_describe(char text[ECONOMY_TEXT], const char *lab, const Economy *economy) {
+void scene_needs_describe(char text[ECONOMY_TEXT], const char *lab, const SceneNeeds *economy) {
     int shapes[SHAPE_COUNT] = {0};
     for (int i = 0; i < economy->first.object_count; i++)
         shapes[economy->first.objects[i].shape]++;
     snprintf(text, ECONOMY_TEXT, "| %s | %s | %d | %d | %d | %d |", lab, economy->scene, shapes[SHAPE_PLANE],
-             shapes[SHAPE_BOX], shapes[SHAPE_SPHERE], economy_triangles(&economy->first));
+             shapes[SHAPE_BOX], shapes[SHAPE_SPHERE], scene_needs_triangles(&economy->first));
 }
 
-double economy_least(const Economy *economy) {
+double scene_needs_least(const SceneNeeds *economy) {
     double least = 1;
     for (int i = 0; i < economy->first.object_count; i++)
-        if (!economy_excuse(economy->scene, i))
+        if (!scene_needs_excuse(economy->scene, i))
             least = fmin(least, economy->need[i]);
     return least;
 }
@@ -72,14 +72,14 @@ static double changed_share(const Variant *before, const Variant *after) {
     return (double)changed / ((double)bytes / 4);
 }
 
-static bool draw(Roster *roster, Solved solved, const Request *request, Image *image) {
+static bool draw(Painters *roster, Solved solved, const Request *request, Image *image) {
     static Reply reply;
-    const Painter *painter = roster_get(roster, solved, NULL);
-    return painter && roster_draw(roster, painter, request, image, &reply);
+    const Painter *painter = painters_get(roster, solved, NULL);
+    return painter && painters_draw(roster, painter, request, image, &reply);
 }
 
-// What an object is needed for in one variant: see Economy.
-static bool find_need(const Variant *whole, Roster *roster, const char *task, int object, double enough,
+// What an object is needed for in one variant: see SceneNeeds.
+static bool find_need(const Variant *whole, Painters *roster, const char *task, int object, double enough,
                       double *need) {
     static Variant lacking;
     lacking = (Variant){.request = whole->request};
@@ -97,7 +97,7 @@ static bool find_need(const Variant *whole, Roster *roster, const char *task, in
     return ok;
 }
 
-static bool look_at_check(Economy *economy, const Exam *exam, Roster *roster, int c, double enough) {
+static bool look_at_check(SceneNeeds *economy, const Exam *exam, Painters *roster, int c, double enough) {
     const Check *check = &exam->rubric->checks[c];
     bool ok = true;
     for (int object = 0; ok && object < economy->first.object_count; object++) {
@@ -113,7 +113,7 @@ static bool look_at_check(Economy *economy, const Exam *exam, Roster *roster, in
     return ok;
 }
 
-bool economy_look(Economy *economy, const Exam *exam, Roster *roster, double enough) {
+bool scene_needs_look(SceneNeeds *economy, const Exam *exam, Painters *roster, double enough) {
     bool ok = true;
     for (int c = 0; ok && c < exam->rubric->check_count; c++)
         if (strcmp(exam->rubric->checks[c].scene, economy->scene) == 0) {
@@ -124,7 +124,7 @@ bool economy_look(Economy *economy, const Exam *exam, Roster *roster, double eno
     return ok;
 }
 
-static int list_scenes(Economy *economies, const Rubric *rubric) {
+static int list_scenes(SceneNeeds *economies, const Rubric *rubric) {
     int count = 0;
     for (int i = 0; scene_name(i); i++) {
         int uses = 0;
@@ -132,20 +132,21 @@ static int list_scenes(Economy *economies, const Rubric *rubric) {
             uses += strcmp(rubric->checks[c].scene, scene_name(i)) == 0;
         INVARIANT(count < ECONOMY_MAX_SCENES);
         if (uses > 0)
-            economies[count++] = (Economy){.scene = scene_name(i)};
+            economies[count++] = (SceneNeeds){.scene = scene_name(i)};
     }
     return count;
 }
 
-static bool look_all(Economy *economies, int count, const Exam *exam, Roster *roster, double enough) {
+static bool look_all(SceneNeeds *economies, int count, const Exam *exam, Painters *roster, double enough) {
     bool ok = true;
     for (int i = 0; ok && i < count; i++)
-        ok = economy_look(&economies[i], exam, roster, enough);
+        ok = scene_needs_look(&economies[i], exam, roster, enough);
     return ok;
 }
 
-int economy_measure(Economy *economies, const Rubric *rubric, Client *worker, int seeds, double enough) {
-    Roster roster = {.rubric = rubric, .client = *worker};
+int scene_needs_measure(SceneNeeds *economies, const Rubric *rubric, WorkerClient *worker, int seeds,
+                        double enough) {
+    Painters roster = {.rubric = rubric, .client = *worker};
     Exam *exam = calloc(1, sizeof *exam);
     int count = list_scenes(economies, rubric);
     bool ok = exam != NULL, all = false;
@@ -154,12 +155,12 @@ int economy_measure(Economy *economies, const Rubric *rubric, Client *worker, in
              look_all(economies, count, exam, &roster, enough);
         all = true;
         for (int i = 0; i < count; i++)
-            all = all && economy_least(&economies[i]) >= enough;
+            all = all && scene_needs_least(&economies[i]) >= enough;
         exam_destroy(exam);
     }
     free(exam);
     *worker = roster.client;
-    roster.client = (Client){0}; // goes on
-    roster_destroy(&roster);
+    roster.client = (WorkerClient){0}; // goes on
+    painters_destroy(&roster);
     return ok ? count : -1;
 }

@@ -12,32 +12,33 @@
 enum { ECONOMY_MAX_SCENES = 16, ECONOMY_TEXT = 128 };
 
 // A scene as the checks of one lab use it.
-typedef struct Economy {
+typedef struct SceneNeeds {
     const char *scene; // lives as long as the program
     Scene first;       // its first variant
     // Of each object: the share of the picture, 0..1, whose phenomenon changes without it, 1 where the
     // variant would be refused. The mean over a check's variants, of these the largest over checks and seeds.
     double need[SCENE_MAX_OBJECTS];
-} Economy;
+} SceneNeeds;
 
 // Measures the scenes of a lab, at most ECONOMY_MAX_SCENES, in the order of scene_name; returns their number,
 // -1 with a message when a frame of ours fails. Objects that reach `enough` are not looked at again; with no
 // other objects left no further seed is drawn. `worker` draws; it is started when it does not run.
-int economy_measure(Economy *economies, const Rubric *rubric, Client *worker, int seeds, double enough);
+int scene_needs_measure(SceneNeeds *economies, const Rubric *rubric, WorkerClient *worker, int seeds,
+                        double enough);
 
 // The same for one exam, whose scenes may hold something else than scene_make puts there: looks at all
 // objects of `economy` that are below `enough`. False with a message.
-bool economy_look(Economy *economy, const Exam *exam, Roster *roster, double enough);
+bool scene_needs_look(SceneNeeds *economy, const Exam *exam, Painters *roster, double enough);
 
-// The least of the needs of all objects but those that economy_excuse names.
-double economy_least(const Economy *economy);
+// The least of the needs of all objects but those that scene_needs_excuse names.
+double scene_needs_least(const SceneNeeds *economy);
 
 // Why this object is in the scene though no check sees it; NULL when there is no excuse.
-const char *economy_excuse(const char *scene, int object);
+const char *scene_needs_excuse(const char *scene, int object);
 
 // Triangles of all objects of a scene: what each pass draws.
-int economy_triangles(const Scene *scene);
+int scene_needs_triangles(const Scene *scene);
 
 // What the scene is made of, as the table in grader/README.md says it: "| lab | scene | planes | boxes |
 // spheres | triangles |".
-void economy_describe(char text[ECONOMY_TEXT], const char *lab, const Economy *economy);
+void scene_needs_describe(char text[ECONOMY_TEXT], const char *lab, const SceneNeeds *economy);

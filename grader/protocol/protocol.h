@@ -50,8 +50,8 @@ typedef struct Reply {
 } Reply;
 
 // The lab's table, for clients that do not know the lab. What a submission's worker sends is untrusted:
-// client_describe returns it with texts of printable ASCII, counts within the arrays and finite, ordered
-// ranges.
+// worker_client_describe returns it with texts of printable ASCII, counts within the arrays and finite,
+// ordered ranges.
 typedef struct Description {
     char title[PROTOCOL_LINE];
     struct KnobText {

@@ -3,7 +3,7 @@
 #include <math.h>
 
 bool counting_begin(Probe *probe, const Counting *counting, const Scene *scene) {
-    bool ok = probe_begin(probe, counting->bench, "07", scene, COUNTING_SIZE, COUNTING_SIZE);
+    bool ok = probe_begin(probe, counting->labs, "07", scene, COUNTING_SIZE, COUNTING_SIZE);
     probe->change = counting->change;
     probe_knob(probe, "method", counting->method != Z_PASS);
     probe_knob(probe, "silhouettes", counting->method == Z_FAIL_CPU);
@@ -11,7 +11,7 @@ bool counting_begin(Probe *probe, const Counting *counting, const Scene *scene) 
 }
 
 void counting_frame(const Counting *counting, const Probe *probe, double x, double badness) {
-    findings_frame(counting->findings, counting->slot, badness, &probe->ground, &probe->measured,
+    findings_frame(counting->findings, counting->slot, badness, &probe->truth_view, &probe->measured,
                    "%s, at %g in the figure", counting->curve->name, x);
 }
 

@@ -8,7 +8,7 @@ enum { COUNTING_SIZE = 160 };        // pixels each way
 enum { Z_PASS, Z_FAIL, Z_FAIL_CPU }; // the last: with the volumes' sides found on the CPU
 
 typedef struct Counting {
-    Bench *bench;
+    LabSet *labs;
     Findings *findings;
     Curve *curve;
     const Change *change; // NULL: the solution as it is

@@ -4,30 +4,30 @@
 
 #include <string.h>
 
-static Artist *open_artist(Bench *bench, const char *lab) {
-    for (int i = 0; i < bench->count; i++)
-        if (strcmp(bench->artists[i].rubric.id, lab) == 0)
-            return &bench->artists[i];
-    INVARIANT(bench->count < BENCH_LABS);
-    Artist *artist = &bench->artists[bench->count];
-    if (artist_open(artist, lab))
-        return &bench->artists[bench->count++];
-    artist_close(artist);
+static LabArtist *open_artist(LabSet *labs, const char *lab) {
+    for (int i = 0; i < labs->count; i++)
+        if (strcmp(labs->artists[i].rubric.id, lab) == 0)
+            return &labs->artists[i];
+    INVARIANT(labs->count < BENCH_LABS);
+    LabArtist *artist = &labs->artists[labs->count];
+    if (lab_artist_open(artist, lab))
+        return &labs->artists[labs->count++];
+    lab_artist_close(artist);
     return NULL;
 }
 
-Artist *bench_artist(Bench *bench, const char *lab, const Change *change) {
-    Artist *artist = open_artist(bench, lab);
-    if (artist && !change && bench->fault && strcmp(bench->fault_lab, lab) == 0) {
-        change = rubric_mistake(&artist->rubric, bench->fault);
+LabArtist *lab_set_artist(LabSet *labs, const char *lab, const Change *change) {
+    LabArtist *artist = open_artist(labs, lab);
+    if (artist && !change && labs->fault && strcmp(labs->fault_lab, lab) == 0) {
+        change = rubric_mistake(&artist->rubric, labs->fault);
         if (!change)
             return NULL;
     }
-    return artist && artist_change(artist, change) ? artist : NULL;
+    return artist && lab_artist_change(artist, change) ? artist : NULL;
 }
 
-void bench_close(Bench *bench) {
-    for (int i = 0; i < bench->count; i++)
-        artist_close(&bench->artists[i]);
-    *bench = (Bench){0};
+void lab_set_close(LabSet *labs) {
+    for (int i = 0; i < labs->count; i++)
+        lab_artist_close(&labs->artists[i]);
+    *labs = (LabSet){0};
 }

@@ -7,16 +7,16 @@
 #include <stdbool.h>
 
 typedef struct Probe {
-    Bench *bench;
+    LabSet *labs;
     const char *lab;
     const Change *change; // NULL: the solution as it is
     Setting setting;      // the visibility of all objects
-    Ground ground;
+    TruthView truth_view;
     Measured measured; // of the latest frame
 } Probe;
 
 // Traces the scene; width x height pixels. False with a message; the caller ends the probe in any case.
-bool probe_begin(Probe *probe, Bench *bench, const char *lab, const Scene *scene, int width, int height);
+bool probe_begin(Probe *probe, LabSet *labs, const char *lab, const Scene *scene, int width, int height);
 void probe_end(Probe *probe); // accepts a zeroed probe
 
 // Gives the knob a value, from now on.

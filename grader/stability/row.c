@@ -41,13 +41,13 @@ Figure *findings_figure(Findings *findings, const char *title, const char *x_lab
     return figure;
 }
 
-void findings_frame(Findings *findings, int slot, double badness, const Ground *ground,
+void findings_frame(Findings *findings, int slot, double badness, const TruthView *truth_view,
                     const Measured *measured, const char *caption, ...) {
     RowFrame *frame = &findings->frames[slot];
     if (frame->strip.rgba && badness <= frame->badness)
         return;
     image_destroy(&frame->strip);
-    if (!strip_create(&frame->strip, ground, measured))
+    if (!strip_create(&frame->strip, truth_view, measured))
         return; // a picture less: the verdict does not depend on it
     va_list arguments;
     va_start(arguments, caption);
@@ -75,12 +75,12 @@ static void find_worst(RowResult *result) {
         }
 }
 
-void row_run(RowResult *result, const Row *row, Bench *bench) {
+void row_run(RowResult *result, const Row *row, LabSet *labs) {
     *result = (RowResult){.row = row, .status = ROW_NOT_BUILT};
     check_clear();
     if (!row->run)
         return;
-    bool ran = row->run(bench, &result->findings);
+    bool ran = row->run(labs, &result->findings);
     if (!ran)
         snprintf(result->message, sizeof result->message, "%s", check_message());
     find_worst(result);

@@ -27,7 +27,7 @@ typedef struct Row {
     const char *name, *method, *sweep, *expected, *source;
     // Fills the findings. False with a message when something could not be drawn. NULL: no lab has the method
     // yet; `expected` then says what would be seen.
-    bool (*run)(Bench *bench, Findings *findings);
+    bool (*run)(LabSet *labs, Findings *findings);
 } Row;
 
 // The rows, a list for each topic; ends with the number 0.
@@ -56,7 +56,7 @@ Figure *findings_figure(Findings *findings, const char *title, const char *x_lab
 
 // Keeps the frame in `slot` (0..ROW_FRAMES - 1) when it is worse than the one kept there: where sweeps go on,
 // the worst stays.
-void findings_frame(Findings *findings, int slot, double badness, const Ground *ground,
+void findings_frame(Findings *findings, int slot, double badness, const TruthView *truth_view,
                     const Measured *measured, const char *caption, ...) __attribute__((format(printf, 6, 7)));
 
 void findings_destroy(Findings *findings); // accepts zeroed findings
@@ -74,5 +74,5 @@ typedef struct RowResult {
 } RowResult;
 
 // Runs the row and judges it. The caller destroys the findings.
-void row_run(RowResult *result, const Row *row, Bench *bench);
+void row_run(RowResult *result, const Row *row, LabSet *labs);
 const char *row_status_name(RowStatus status); // "pass", "fail", "not-built"

@@ -52,7 +52,7 @@ int sight_enters(const Scene *casters, vec3s from, vec3s to, int steps) {
 
 static bool at_outline(const Probe *probe, const uint8_t *flags, int x, int y) {
     static const int step[4][2] = {{-1, 0}, {1, 0}, {0, -1}, {0, 1}};
-    int width = probe->ground.size.width, height = probe->ground.size.height;
+    int width = probe->truth_view.size.width, height = probe->truth_view.size.height;
     for (int i = 0; i < 4; i++) {
         int column = x + step[i][0], row = y + step[i][1];
         if (column >= 0 && column < width && row >= 0 && row < height &&
@@ -63,21 +63,21 @@ static bool at_outline(const Probe *probe, const uint8_t *flags, int x, int y) {
 }
 
 SightShare sight_share(const Probe *probe, const uint8_t *flags) {
-    int width = probe->ground.size.width, height = probe->ground.size.height;
+    int width = probe->truth_view.size.width, height = probe->truth_view.size.height;
     double count = 0, set = 0, outline = 0;
     for (int i = 0; i < width * height; i++)
         if (probe->measured.mask[i]) {
             count++;
             set += flags && flags[i];
-            outline += probe->ground.distance[i] <= 0.5f ||
+            outline += probe->truth_view.distance[i] <= 0.5f ||
                        (flags && at_outline(probe, flags, i % width, i / width));
         }
     return (SightShare){set / count, outline / 2 / count};
 }
 
 bool sight_share_at(const Probe *probe, double depth, SightShare *share) {
-    const Scene casters = sight_casters(&probe->ground.truth.scene);
-    MetricsSize size = probe->ground.size;
+    const Scene casters = sight_casters(&probe->truth_view.truth.scene);
+    MetricsSize size = probe->truth_view.size;
     uint8_t *flags = calloc((size_t)size.width * (size_t)size.height, 1);
     if (!flags)
         return check_fail("out of memory for a picture of flags");

@@ -24,8 +24,8 @@ static void find_colors(uint8_t colors[PARTS][4], float measured, float truth, b
     colors[0][3] = colors[1][3] = colors[2][3] = 255;
 }
 
-bool strip_create(Image *strip, const Ground *ground, const Measured *measured) {
-    int width = ground->size.width, height = ground->size.height;
+bool strip_create(Image *strip, const TruthView *truth_view, const Measured *measured) {
+    int width = truth_view->size.width, height = truth_view->size.height;
     bool stacked = width > WIDE * height;
     int times = stacked ? (LEAST_HEIGHT + height - 1) / height : 1;
     int right = stacked ? 0 : width + GAP, down = stacked ? times * height + GAP : 0;
@@ -37,7 +37,8 @@ bool strip_create(Image *strip, const Ground *ground, const Measured *measured) 
         for (int x = 0; x < width; x++) {
             size_t from = (size_t)(y / times) * (size_t)width + (size_t)x;
             uint8_t colors[PARTS][4];
-            find_colors(colors, measured->visibility[from], ground->visibility[from], measured->mask[from]);
+            find_colors(colors, measured->visibility[from], truth_view->visibility[from],
+                        measured->mask[from]);
             for (int i = 0; i < PARTS; i++)
                 memcpy(strip->rgba + image_at(strip, GAP + x + i * right, GAP + y + i * down), colors[i], 4);
         }

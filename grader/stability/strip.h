@@ -5,4 +5,4 @@
 
 // Side by side; one below the other for a frame that is much wider than high, whose rows are then drawn
 // several times. Yellow is false light, blue false shadow, black what does not count. False with a message.
-bool strip_create(Image *strip, const Ground *ground, const Measured *measured);
+bool strip_create(Image *strip, const TruthView *truth_view, const Measured *measured);

@@ -3,11 +3,11 @@
 static const double distance = 10, fov_x = 40;
 
 Scene tilted_wall(double theta, double psi, float half_size, double aspect) {
-    double t = hand_radians(theta), a = sin(t) * cos(hand_radians(psi));
+    double t = closed_radians(theta), a = sin(t) * cos(closed_radians(psi));
     double x = a * cos(t) / sqrt(1 - a * a), y = sqrt(fmax(sin(t) * sin(t) - x * x, 0));
-    Scene scene = hand_wall(6, (float)distance, (float)(2 * atan(tan(hand_radians(fov_x / 2)) / aspect)));
+    Scene scene = closed_wall(6, (float)distance, (float)(2 * atan(tan(closed_radians(fov_x / 2)) / aspect)));
     vec3s light = vec3_make((float)(-distance * x), (float)(-distance * y), (float)(distance * cos(t)));
-    hand_light(&scene, LIGHT_DIRECTIONAL, light, vec3_make(0, 0, 0), 0, half_size, TILTED_NEAR, TILTED_FAR);
+    closed_light(&scene, LIGHT_DIRECTIONAL, light, vec3_make(0, 0, 0), 0, half_size, TILTED_NEAR, TILTED_FAR);
     return scene;
 }
 
@@ -20,7 +20,7 @@ double tilted_slope(const Scene *scene) {
 
 // Area of the part of [-1/2, 1/2]^2 where a x + b y > c, for a >= b >= 0.
 double tilted_acne(double r, double psi) {
-    double c = fabs(cos(hand_radians(psi))), s = fabs(sin(hand_radians(psi)));
+    double c = fabs(cos(closed_radians(psi))), s = fabs(sin(closed_radians(psi)));
     double a = fmax(c, s), b = fmin(c, s), level = r * (a + b) / 2;
     if (level >= (a + b) / 2)
         return 0;

@@ -20,7 +20,7 @@ static char *insert(char *text, const char *name) {
     char path[FILES_PATH], relative[64], comment[64];
     snprintf(relative, sizeof relative, "grader/study/%s", name);
     snprintf(comment, sizeof comment, "/*%s*/", name);
-    home_path(path, relative);
+    places_path(path, relative);
     char *part = files_read(path, LIMIT), *at = strstr(text, comment), *whole = NULL;
     if (part && at) {
         size_t size = strlen(text) + strlen(part) + 1;
@@ -37,7 +37,7 @@ static char *insert(char *text, const char *name) {
 static char *read_template(void) {
     static const char *const parts[] = {"chart_page.css", "chart_page_error.js", "chart_page.js"};
     char path[FILES_PATH];
-    home_path(path, "grader/study/chart_page.html");
+    places_path(path, "grader/study/chart_page.html");
     char *text = files_read(path, LIMIT);
     for (size_t i = 0; text && i < sizeof parts / sizeof parts[0]; i++)
         text = insert(text, parts[i]);
@@ -98,7 +98,7 @@ static json_t *picture(const char *path) {
     return url;
 }
 
-static json_t *errors_json(const StateErrors *e) {
+static json_t *errors_json(const MeasuredErrors *e) {
     return json_pack("{s:f, s:f, s:f, s:f, s:f}", "edgeShadow", e->edge_false_shadow, "edgeLight",
                      e->edge_false_light, "insideShadow", e->interior_false_shadow, "insideLight",
                      e->interior_false_light, "off", e->off);

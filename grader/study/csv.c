@@ -13,7 +13,7 @@ void csv_head(FILE *file) {
           file);
 }
 
-static void write_errors(FILE *file, const StateErrors *e) {
+static void write_errors(FILE *file, const MeasuredErrors *e) {
     fprintf(file, "%.8f,%.8f,%.8f,%.8f,%.8f,%.8f,%.8f,%.5f,", finding_error(e),
             e->edge_false_shadow + e->interior_false_shadow, e->edge_false_light + e->interior_false_light,
             e->edge_false_shadow, e->edge_false_light, e->interior_false_shadow, e->interior_false_light,

@@ -73,15 +73,15 @@ static double largest_stretch(mat2s m) {
 }
 
 // Pixels along the map's side around this point of a surface.
-static double side_at(const Ground *ground, const TruthHit *hit) {
-    const Camera *camera = &ground->truth.scene.camera;
-    float width = (float)ground->size.width, height = (float)ground->size.height;
+static double side_at(const TruthView *truth_view, const TruthHit *hit) {
+    const Camera *camera = &truth_view->truth.scene.camera;
+    float width = (float)truth_view->size.width, height = (float)truth_view->size.height;
     mat4s seen = glms_mat4_mul(camera_clip_from_view(camera, width / height), camera_view_from_world(camera));
     vec3s right = glms_vec3_normalize(glms_vec3_ortho(hit->face_normal));
     vec3s up = glms_vec3_cross(hit->face_normal, right);
     mat2s in_picture = moves(seen, hit->position, right, up);
     mat2s in_map =
-        moves(scene_light_clip_from_world(&ground->truth.scene.lights[0]), hit->position, right, up);
+        moves(scene_light_clip_from_world(&truth_view->truth.scene.lights[0]), hit->position, right, up);
     mat2s picture_from_map = glms_mat2_mul(in_picture, glms_mat2_inv(in_map));
     for (int i = 0; i < 2; i++) {
         picture_from_map.raw[i][0] *= width; // both spaces are 2 wide
@@ -95,12 +95,12 @@ static int compare(const void *a, const void *b) {
     return x < y ? -1 : x > y;
 }
 
-double edge_map_side(const Ground *ground) {
-    size_t pixels = (size_t)ground->size.width * (size_t)ground->size.height, count = 0;
+double edge_map_side(const TruthView *truth_view) {
+    size_t pixels = (size_t)truth_view->size.width * (size_t)truth_view->size.height, count = 0;
     double *sides = calloc(pixels, sizeof *sides);
     for (size_t i = 0; sides && i < pixels; i++)
-        if (ground->distance[i] < 1 && ground->facing[i] > METRICS_LEAST_FACING)
-            sides[count++] = side_at(ground, &ground->picture.hits[i]);
+        if (truth_view->distance[i] < 1 && truth_view->facing[i] > METRICS_LEAST_FACING)
+            sides[count++] = side_at(truth_view, &truth_view->picture.hits[i]);
     if (count > 0)
         qsort(sides, count, sizeof *sides, compare);
     double side = count > 0 ? sides[count * 95 / 100] : 0;

@@ -16,4 +16,4 @@ double edge_error(const Metrics *metrics, double length);
 // How many pixels the side of light 0's map is long where the edge lies, in the direction in which it is
 // longest; 95 % of the edge's pixels have less. A texel is that, divided by the texels of a side. 0 where
 // there is no edge.
-double edge_map_side(const Ground *ground);
+double edge_map_side(const TruthView *truth_view);

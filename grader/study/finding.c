@@ -5,26 +5,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-double finding_interior_error(const StateErrors *errors) {
+double finding_interior_error(const MeasuredErrors *errors) {
     return errors->interior_false_shadow + errors->interior_false_light;
 }
 
-double finding_error(const StateErrors *errors) {
+double finding_error(const MeasuredErrors *errors) {
     return errors->edge_false_shadow + errors->edge_false_light + finding_interior_error(errors);
 }
 
-static double total(const StateTime *time) {
+static double total(const MeasuredTime *time) {
     return time->prepare + time->shade;
 }
-static double prepare(const StateTime *time) {
+static double prepare(const MeasuredTime *time) {
     return time->prepare;
 }
-static double shade(const StateTime *time) {
+static double shade(const MeasuredTime *time) {
     return time->shade;
 }
 
-static void summarise(const StateTime *times, int count, double (*part)(const StateTime *), double *median,
-                      double *mad) {
+static void summarise(const MeasuredTime *times, int count, double (*part)(const MeasuredTime *),
+                      double *median, double *mad) {
     double *values = calloc((size_t)count, sizeof *values);
     INVARIANT(values);
     for (int i = 0; i < count; i++)
@@ -34,7 +34,7 @@ static void summarise(const StateTime *times, int count, double (*part)(const St
     free(values);
 }
 
-void finding_time(Finding *finding, Point *point, const StateTime *times, int count) {
+void finding_time(Finding *finding, Point *point, const MeasuredTime *times, int count) {
     finding->frames = count;
     summarise(times, count, total, &point->ms, &point->mad);
     summarise(times, count, prepare, &finding->prepare_ms, &finding->prepare_mad);
@@ -86,7 +86,7 @@ const Finding *findings_next_cheaper(const Findings *findings) {
 }
 
 static void tell_wrong(const Finding *finding, double tolerance, char *text, size_t size) {
-    const StateErrors *errors = &finding->errors;
+    const MeasuredErrors *errors = &finding->errors;
     double inside = finding_interior_error(errors);
     if (inside <= tolerance)
         check_append(text, size, "its edge is off by %.2g pixels", errors->off);

@@ -18,7 +18,7 @@ typedef struct Finding {
     uint64_t key; // of its measurements and of its frame's picture
     bool drawn;   // false: a submission that did not draw; `message` says why
     char message[200];
-    StateErrors errors;
+    MeasuredErrors errors;
     int frames;
     double prepare_ms, prepare_mad, shade_ms,
         shade_mad; // before the picture (map, volumes, bake), and the picture
@@ -37,8 +37,8 @@ typedef struct Findings {
 } Findings;
 
 // Sum of false shadow and false light, in the interior and in all of the picture.
-double finding_interior_error(const StateErrors *errors);
-double finding_error(const StateErrors *errors);
+double finding_interior_error(const MeasuredErrors *errors);
+double finding_error(const MeasuredErrors *errors);
 
 // From errors and times to front, enough and chosen. `times` are scratch.
 void findings_judge(Findings *findings);
@@ -53,4 +53,4 @@ const Finding *findings_next_cheaper(const Findings *findings);
 void findings_tell(const Findings *findings, char *text, size_t size);
 
 // Median and MAD of all frames' times.
-void finding_time(Finding *finding, Point *point, const StateTime *times, int count);
+void finding_time(Finding *finding, Point *point, const MeasuredTime *times, int count);

@@ -5,30 +5,30 @@
 
 #include <stdbool.h>
 
-typedef struct Artist {
+typedef struct LabArtist {
     Rubric rubric;          // of the lab
-    Roster roster;          // ours: the worker and what it draws with
-    const Painter *painter; // ours: whom artist_draw asks; NULL for a submission
-    Client client;          // a submission's worker
-} Artist;
+    Painters roster;        // ours: the worker and what it draws with
+    const Painter *painter; // ours: whom lab_artist_draw asks; NULL for a submission
+    WorkerClient client;    // a submission's worker
+} LabArtist;
 
 // The solution of lab `id` ("05"). False with a message.
-bool artist_open(Artist *artist, const char *id);
+bool lab_artist_open(LabArtist *artist, const char *id);
 
 // A submission's lab `id`; `submission` is a folder shaped like labs/ or the lab's own. It is compiled and
 // drawn in the jail, which outlives the artist (NULL: outside). False with a message (gcc's first words where
 // it does not compile).
-bool artist_open_submission(Artist *artist, const char *id, const char *submission, const Jail *jail);
+bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *submission, const Jail *jail);
 
 // Applies the change's edits to a submission's shaders as far as their texts stand there. Before it first
 // draws. False with a message when a file cannot be written.
-bool artist_adapt(Artist *artist, const Change *change);
+bool lab_artist_adapt(LabArtist *artist, const Change *change);
 
 // From now on the solution is drawn with this change; NULL: as it is. Ours only. `change` must outlive the
 // artist. False with a message when an edit does not apply or the result does not compile.
-bool artist_change(Artist *artist, const Change *change);
+bool lab_artist_change(LabArtist *artist, const Change *change);
 
 // Draws; true when the picture is there. False with a message when the lab or its process failed.
-bool artist_draw(Artist *artist, const Request *request, Image *image, Reply *reply);
+bool lab_artist_draw(LabArtist *artist, const Request *request, Image *image, Reply *reply);
 
-void artist_close(Artist *artist); // accepts a zeroed artist
+void lab_artist_close(LabArtist *artist); // accepts a zeroed artist

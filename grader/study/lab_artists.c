@@ -7,40 +7,40 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool open_artist(Artist *artist, const Crew *crew, const Method *method) {
+static bool open_artist(LabArtist *artist, const LabArtists *artists, const Method *method) {
     if (method->submission)
-        return artist_open_submission(artist, method->lab, crew->submission, crew->jail) &&
-               (!method->change || artist_adapt(artist, method->change));
-    return artist_open(artist, method->lab) && artist_change(artist, method->change);
+        return lab_artist_open_submission(artist, method->lab, artists->submission, artists->jail) &&
+               (!method->change || lab_artist_adapt(artist, method->change));
+    return lab_artist_open(artist, method->lab) && lab_artist_change(artist, method->change);
 }
 
-static Artist *hire(const Crew *crew, const Method *method) {
-    Artist *artist = calloc(1, sizeof *artist);
+static LabArtist *hire(const LabArtists *artists, const Method *method) {
+    LabArtist *artist = calloc(1, sizeof *artist);
     INVARIANT(artist);
-    if (open_artist(artist, crew, method))
+    if (open_artist(artist, artists, method))
         return artist;
-    artist_close(artist);
+    lab_artist_close(artist);
     free(artist);
     return NULL;
 }
 
-Artist *crew_get(Crew *crew, const Method *method) {
-    for (int i = 0; i < crew->count; i++)
-        if (crew->members[i].submission == method->submission && crew->members[i].change == method->change &&
-            strcmp(crew->members[i].lab, method->lab) == 0)
-            return crew->members[i].artist;
-    INVARIANT(crew->count < CREW_MOST);
-    Artist *artist = hire(crew, method);
+LabArtist *lab_artists_get(LabArtists *artists, const Method *method) {
+    for (int i = 0; i < artists->count; i++)
+        if (artists->members[i].submission == method->submission &&
+            artists->members[i].change == method->change && strcmp(artists->members[i].lab, method->lab) == 0)
+            return artists->members[i].artist;
+    INVARIANT(artists->count < CREW_MOST);
+    LabArtist *artist = hire(artists, method);
     if (!artist)
         return NULL;
-    crew->members[crew->count].artist = artist;
-    crew->members[crew->count].lab = method->lab;
-    crew->members[crew->count].change = method->change;
-    crew->members[crew->count++].submission = method->submission;
+    artists->members[artists->count].artist = artist;
+    artists->members[artists->count].lab = method->lab;
+    artists->members[artists->count].change = method->change;
+    artists->members[artists->count++].submission = method->submission;
     return artist;
 }
 
-uint64_t crew_key(const Artist *artist) {
+uint64_t lab_artists_key(const LabArtist *artist) {
     uint64_t hash = HASH_START;
     if (artist->painter) // the folder's name is one
         return hash_bytes(hash, artist->painter->folder, strlen(artist->painter->folder));
@@ -54,10 +54,10 @@ uint64_t crew_key(const Artist *artist) {
     return hash;
 }
 
-void crew_dismiss(Crew *crew) {
-    for (int i = 0; i < crew->count; i++) {
-        artist_close(crew->members[i].artist);
-        free(crew->members[i].artist);
+void lab_artists_dismiss(LabArtists *artists) {
+    for (int i = 0; i < artists->count; i++) {
+        lab_artist_close(artists->members[i].artist);
+        free(artists->members[i].artist);
     }
-    crew->count = 0;
+    artists->count = 0;
 }

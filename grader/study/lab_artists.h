@@ -5,22 +5,22 @@
 
 enum { CREW_MOST = 32 };
 
-typedef struct Crew {
+typedef struct LabArtists {
     const char *submission_lab, *submission; // NULL: there is none
     const Jail *jail;                        // for the submission; NULL: none
     struct {
-        Artist *artist;
+        LabArtist *artist;
         const char *lab;
         const Change *change;
         bool submission;
     } members[CREW_MOST]; // hired when they are first asked for
     int count;
-} Crew;
+} LabArtists;
 
 // The artist of a method; NULL with a message when its lab or the submission cannot be built.
-Artist *crew_get(Crew *crew, const Method *method);
+LabArtist *lab_artists_get(LabArtists *artists, const Method *method);
 
 // A name for what this artist draws with, made from its content.
-uint64_t crew_key(const Artist *artist);
+uint64_t lab_artists_key(const LabArtist *artist);
 
-void crew_dismiss(Crew *crew); // accepts a zeroed crew
+void lab_artists_dismiss(LabArtists *artists); // accepts a zeroed crew

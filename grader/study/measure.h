@@ -9,9 +9,9 @@ typedef struct StudyPlan {
     MetricsSize size;
     int frames;         // of each setting
     const char *output; // folder; pictures go to output/frames/KEY.png
-    Crew crew;
-    State state;
-    Bar bar;
+    LabArtists artists;
+    Measurements state;
+    ProgressBar bar;
 } StudyPlan;
 
 // Fills the findings of this scene with its settings, and those of the crew's submission behind them;

@@ -23,24 +23,24 @@ static bool grow(void **items, int count, int *capacity, size_t size) {
     return true;
 }
 
-static bool keep_time(State *state, const StateTime *time) {
+static bool keep_time(Measurements *state, const MeasuredTime *time) {
     if (!grow((void **)&state->times, state->time_count, &state->time_capacity, sizeof *time))
         return false;
     state->times[state->time_count++] = *time;
     return true;
 }
 
-static bool keep_errors(State *state, const StateError *error) {
+static bool keep_errors(Measurements *state, const MeasuredError *error) {
     if (!grow((void **)&state->errors, state->error_count, &state->error_capacity, sizeof *error))
         return false;
     state->errors[state->error_count++] = *error;
     return true;
 }
 
-static bool take_line(State *state, const char *line) {
-    StateTime time;
-    StateError error;
-    StateErrors *e = &error.errors;
+static bool take_line(Measurements *state, const char *line) {
+    MeasuredTime time;
+    MeasuredError error;
+    MeasuredErrors *e = &error.errors;
     int end = 0;
     if (sscanf(line, TIME, &time.key, &time.prepare, &time.shade, &end) == 3 && end > 0)
         return keep_time(state, &time);
@@ -51,10 +51,10 @@ static bool take_line(State *state, const char *line) {
     return true; // cut off, or of another version: measured again
 }
 
-bool state_open(State *state, const char *path) {
+bool measurements_open(Measurements *state, const char *path) {
     char line[512];
     bool ok = true, whole = true;
-    *state = (State){.file = fopen(path, "a+")};
+    *state = (Measurements){.file = fopen(path, "a+")};
     if (!state->file)
         return check_fail("%s: %s", path, strerror(errno));
     rewind(state->file);
@@ -67,40 +67,40 @@ bool state_open(State *state, const char *path) {
     return ok;
 }
 
-void state_close(State *state) {
+void measurements_close(Measurements *state) {
     if (state->file)
         fclose(state->file);
     free(state->times);
     free(state->errors);
-    *state = (State){0};
+    *state = (Measurements){0};
 }
 
-static bool flush(State *state) {
+static bool flush(Measurements *state) {
     return (fflush(state->file) == 0 && !ferror(state->file)) ||
            check_fail("the study's state cannot be written: %s", strerror(errno));
 }
 
-bool state_add_time(State *state, const StateTime *time) {
+bool measurements_add_time(Measurements *state, const MeasuredTime *time) {
     fprintf(state->file, "time %016" PRIx64 " %.6f %.6f .\n", time->key, time->prepare, time->shade);
     return keep_time(state, time) && flush(state);
 }
 
-bool state_add_errors(State *state, uint64_t key, const StateErrors *errors) {
-    const StateErrors *e = errors;
+bool measurements_add_errors(Measurements *state, uint64_t key, const MeasuredErrors *errors) {
+    const MeasuredErrors *e = errors;
     fprintf(state->file, "errors %016" PRIx64 " %.17g %.17g %.17g %.17g %.17g %.17g .\n", key,
             e->edge_false_shadow, e->edge_false_light, e->interior_false_shadow, e->interior_false_light,
             e->off, e->partial);
-    return keep_errors(state, &(StateError){key, *errors}) && flush(state);
+    return keep_errors(state, &(MeasuredError){key, *errors}) && flush(state);
 }
 
-const StateErrors *state_errors(const State *state, uint64_t key) {
+const MeasuredErrors *measurements_errors(const Measurements *state, uint64_t key) {
     for (int i = 0; i < state->error_count; i++)
         if (state->errors[i].key == key)
             return &state->errors[i].errors;
     return NULL;
 }
 
-int state_times(const State *state, uint64_t key, StateTime *times, int most) {
+int measurements_times(const Measurements *state, uint64_t key, MeasuredTime *times, int most) {
     int count = 0;
     for (int i = 0; i < state->time_count && count < most; i++)
         if (state->times[i].key == key)

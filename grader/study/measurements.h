@@ -6,41 +6,41 @@
 #include <stdio.h>
 
 // How far a setting's frame is from the truth. All but `off` are means over the pixels that count, 0..1.
-typedef struct StateErrors {
+typedef struct MeasuredErrors {
     double edge_false_shadow, edge_false_light, interior_false_shadow, interior_false_light;
     double off;     // mean distance of the edge from the true one, pixels
     double partial; // share of the pixels that are neither wholly lit nor wholly dark
-} StateErrors;
+} MeasuredErrors;
 
-typedef struct StateTime {
+typedef struct MeasuredTime {
     uint64_t key;
     double prepare, shade; // CPU time of a frame: what comes before the picture, and the picture; ms
-} StateTime;
+} MeasuredTime;
 
-typedef struct StateError {
+typedef struct MeasuredError {
     uint64_t key;
-    StateErrors errors;
-} StateError;
+    MeasuredErrors errors;
+} MeasuredError;
 
-typedef struct State {
+typedef struct Measurements {
     FILE *file;
-    StateTime *times; // owned
-    StateError *errors;
+    MeasuredTime *times; // owned
+    MeasuredError *errors;
     int time_count, time_capacity, error_count, error_capacity;
-} State;
+} Measurements;
 
 // Reads the file, if there is one, and opens it for more. A last line that was cut off is dropped. Keys say
 // what was measured (by its content). False with a message.
-bool state_open(State *state, const char *path);
-void state_close(State *state); // accepts a zeroed state
+bool measurements_open(Measurements *state, const char *path);
+void measurements_close(Measurements *state); // accepts a zeroed state
 
 // Adds a frame's times or a setting's errors and puts them on disk.
-bool state_add_time(State *state, const StateTime *time);
-bool state_add_errors(State *state, uint64_t key, const StateErrors *errors);
+bool measurements_add_time(Measurements *state, const MeasuredTime *time);
+bool measurements_add_errors(Measurements *state, uint64_t key, const MeasuredErrors *errors);
 
 // The errors of a setting; NULL when they have not been measured.
-const StateErrors *state_errors(const State *state, uint64_t key);
+const MeasuredErrors *measurements_errors(const Measurements *state, uint64_t key);
 
 // Writes at most `most` times of the setting, in the order in which they were measured, and returns their
 // number.
-int state_times(const State *state, uint64_t key, StateTime *times, int most);
+int measurements_times(const Measurements *state, uint64_t key, MeasuredTime *times, int most);

@@ -6,19 +6,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-static size_t pixels(const Ground *ground) {
-    return (size_t)ground->size.width * (size_t)ground->size.height;
+static size_t pixels(const TruthView *truth_view) {
+    return (size_t)truth_view->size.width * (size_t)truth_view->size.height;
 }
 
-static bool allocate(Ground *ground) {
-    size_t count = pixels(ground);
-    ground->traced = calloc(count, sizeof *ground->traced);
-    ground->drawn = calloc(count, sizeof *ground->drawn);
-    ground->facing = calloc(count, sizeof *ground->facing);
-    ground->visibility = calloc(count, sizeof *ground->visibility);
-    ground->distance = calloc(count, sizeof *ground->distance);
-    return (ground->traced && ground->drawn && ground->facing && ground->visibility && ground->distance) ||
-           check_fail("out of memory for a truth of %d x %d pixels", ground->size.width, ground->size.height);
+static bool allocate(TruthView *truth_view) {
+    size_t count = pixels(truth_view);
+    truth_view->traced = calloc(count, sizeof *truth_view->traced);
+    truth_view->drawn = calloc(count, sizeof *truth_view->drawn);
+    truth_view->facing = calloc(count, sizeof *truth_view->facing);
+    truth_view->visibility = calloc(count, sizeof *truth_view->visibility);
+    truth_view->distance = calloc(count, sizeof *truth_view->distance);
+    return (truth_view->traced && truth_view->drawn && truth_view->facing && truth_view->visibility &&
+            truth_view->distance) ||
+           check_fail("out of memory for a truth of %d x %d pixels", truth_view->size.width,
+                      truth_view->size.height);
 }
 
 Request setting_request(const Setting *setting, const Scene *scene, MetricsSize size) {
@@ -32,55 +34,56 @@ Request setting_request(const Setting *setting, const Scene *scene, MetricsSize 
     return request;
 }
 
-Request ground_request(const Ground *ground, const Setting *setting) {
-    return setting_request(setting, &ground->truth.scene, ground->size);
+Request truth_view_request(const TruthView *truth_view, const Setting *setting) {
+    return setting_request(setting, &truth_view->truth.scene, truth_view->size);
 }
 
-static bool draw_primitives(Ground *ground, Artist *artist) {
+static bool draw_primitives(TruthView *truth_view, LabArtist *artist) {
     static Reply reply;
     Image image = {0};
     const Setting setting = {.view = VIEW_PRIMITIVES};
-    const Request request = ground_request(ground, &setting);
-    bool ok = artist_draw(artist, &request, &image, &reply);
-    for (size_t i = 0; ok && i < pixels(ground); i++)
-        ground->drawn[i] = metrics_decode_primitive(image.rgba + 4 * i);
+    const Request request = truth_view_request(truth_view, &setting);
+    bool ok = lab_artist_draw(artist, &request, &image, &reply);
+    for (size_t i = 0; ok && i < pixels(truth_view); i++)
+        truth_view->drawn[i] = metrics_decode_primitive(image.rgba + 4 * i);
     image_destroy(&image);
     return ok;
 }
 
 // By which light a pixel must be faced to count.
-static float facing(const Ground *ground, const TruthQuery *query, const TruthHit *hit) {
+static float facing(const TruthView *truth_view, const TruthQuery *query, const TruthHit *hit) {
     if (query->kind == TRUTH_OCCLUSION)
         return hit->object == TRUTH_NONE ? -1 : 1;
-    return truth_facing(&ground->truth.scene, hit, query->kind == TRUTH_LIGHTS ? TRUTH_NONE : query->light);
+    return truth_facing(&truth_view->truth.scene, hit,
+                        query->kind == TRUTH_LIGHTS ? TRUTH_NONE : query->light);
 }
 
-bool ground_create(Ground *ground, const Scene *scene, MetricsSize size, const TruthQuery *query,
-                   Artist *artist) {
-    *ground = (Ground){.size = size};
-    if (!allocate(ground) || !truth_create(&ground->truth, scene) ||
-        !truth_picture_create(&ground->picture, size.width, size.height))
+bool truth_view_create(TruthView *truth_view, const Scene *scene, MetricsSize size, const TruthQuery *query,
+                       LabArtist *artist) {
+    *truth_view = (TruthView){.size = size};
+    if (!allocate(truth_view) || !truth_create(&truth_view->truth, scene) ||
+        !truth_picture_create(&truth_view->picture, size.width, size.height))
         return false;
-    truth_look(&ground->truth, &ground->picture);
-    for (size_t i = 0; i < pixels(ground); i++) {
-        const TruthHit *hit = &ground->picture.hits[i];
-        ground->traced[i] = metrics_primitive(hit->object, hit->triangle);
-        ground->facing[i] = facing(ground, query, hit);
+    truth_look(&truth_view->truth, &truth_view->picture);
+    for (size_t i = 0; i < pixels(truth_view); i++) {
+        const TruthHit *hit = &truth_view->picture.hits[i];
+        truth_view->traced[i] = metrics_primitive(hit->object, hit->triangle);
+        truth_view->facing[i] = facing(truth_view, query, hit);
     }
-    return draw_primitives(ground, artist) &&
-           truth_trace(&ground->truth, &ground->picture, query, ground->visibility) &&
-           metrics_boundary(size, ground->traced, ground->visibility, ground->distance);
+    return draw_primitives(truth_view, artist) &&
+           truth_trace(&truth_view->truth, &truth_view->picture, query, truth_view->visibility) &&
+           metrics_boundary(size, truth_view->traced, truth_view->visibility, truth_view->distance);
 }
 
-void ground_destroy(Ground *ground) {
-    truth_picture_destroy(&ground->picture);
-    truth_destroy(&ground->truth);
-    free(ground->traced);
-    free(ground->drawn);
-    free(ground->facing);
-    free(ground->visibility);
-    free(ground->distance);
-    *ground = (Ground){0};
+void truth_view_destroy(TruthView *truth_view) {
+    truth_picture_destroy(&truth_view->picture);
+    truth_destroy(&truth_view->truth);
+    free(truth_view->traced);
+    free(truth_view->drawn);
+    free(truth_view->facing);
+    free(truth_view->visibility);
+    free(truth_view->distance);
+    *truth_view = (TruthView){0};
 }
 
 void setting_knob(Setting *setting, const char *name, float value) {
@@ -90,38 +93,39 @@ void setting_knob(Setting *setting, const char *name, float value) {
     knob->value = value;
 }
 
-static bool draw(const Ground *ground, Artist *artist, const Request *request, Measured *measured) {
+static bool draw(const TruthView *truth_view, LabArtist *artist, const Request *request, Measured *measured) {
     static Reply reply;
     Image image = {0};
-    bool ok = artist_draw(artist, request, &image, &reply);
-    for (size_t i = 0; ok && i < pixels(ground); i++)
+    bool ok = lab_artist_draw(artist, request, &image, &reply);
+    for (size_t i = 0; ok && i < pixels(truth_view); i++)
         measured->visibility[i] = image.rgba[4 * i + 3] ? (float)image.rgba[4 * i] / 255 : NAN;
     image_destroy(&image);
     memcpy(measured->milliseconds, reply.milliseconds, sizeof measured->milliseconds);
     return ok;
 }
 
-static void compare(const Ground *ground, const Setting *setting, Measured *measured) {
-    const MetricsPixels given = {ground->drawn, ground->traced, ground->facing, measured->visibility};
-    metrics_mask(ground->size, &given, measured->mask);
-    for (size_t i = 0; setting->object != TRUTH_NONE && i < pixels(ground); i++)
-        measured->mask[i] = measured->mask[i] && ground->picture.hits[i].object == setting->object;
+static void compare(const TruthView *truth_view, const Setting *setting, Measured *measured) {
+    const MetricsPixels given = {truth_view->drawn, truth_view->traced, truth_view->facing,
+                                 measured->visibility};
+    metrics_mask(truth_view->size, &given, measured->mask);
+    for (size_t i = 0; setting->object != TRUTH_NONE && i < pixels(truth_view); i++)
+        measured->mask[i] = measured->mask[i] && truth_view->picture.hits[i].object == setting->object;
     float edge = setting->edge_width > 0 ? setting->edge_width : METRICS_LEAST_EDGE;
-    measured->metrics = metrics_compare(ground->size, measured->mask, measured->visibility,
-                                        ground->visibility, ground->distance, edge);
+    measured->metrics = metrics_compare(truth_view->size, measured->mask, measured->visibility,
+                                        truth_view->visibility, truth_view->distance, edge);
 }
 
-bool ground_measure(const Ground *ground, Artist *artist, const Setting *setting, bool fresh,
-                    Measured *measured) {
-    Request request = ground_request(ground, setting);
+bool truth_view_measure(const TruthView *truth_view, LabArtist *artist, const Setting *setting, bool fresh,
+                        Measured *measured) {
+    Request request = truth_view_request(truth_view, setting);
     request.fresh = fresh;
-    *measured = (Measured){.visibility = calloc(pixels(ground), sizeof *measured->visibility),
-                           .mask = calloc(pixels(ground), 1)};
+    *measured = (Measured){.visibility = calloc(pixels(truth_view), sizeof *measured->visibility),
+                           .mask = calloc(pixels(truth_view), 1)};
     if (!measured->visibility || !measured->mask)
         return check_fail("out of memory for a frame");
-    if (!draw(ground, artist, &request, measured))
+    if (!draw(truth_view, artist, &request, measured))
         return false;
-    compare(ground, setting, measured);
+    compare(truth_view, setting, measured);
     return true;
 }
 

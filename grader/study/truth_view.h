@@ -6,7 +6,7 @@
 #include "truth/truth.h"
 
 // Arrays have size.width * size.height entries, top row first, and belong to the ground.
-typedef struct Ground {
+typedef struct TruthView {
     MetricsSize size;
     Truth truth;          // its scene is the one that was given
     TruthPicture picture; // what the camera sees
@@ -14,12 +14,12 @@ typedef struct Ground {
     float *facing;     // N.L; 1 for occlusion, which has no direction
     float *visibility; // the truth, 0..1
     float *distance;   // to the true boundary, pixels
-} Ground;
+} TruthView;
 
 // Traces the scene for this query; `artist` draws the triangles (any lab's does). False with a message.
-bool ground_create(Ground *ground, const Scene *scene, MetricsSize size, const TruthQuery *query,
-                   Artist *artist);
-void ground_destroy(Ground *ground); // accepts a zeroed ground
+bool truth_view_create(TruthView *truth_view, const Scene *scene, MetricsSize size, const TruthQuery *query,
+                       LabArtist *artist);
+void truth_view_destroy(TruthView *truth_view); // accepts a zeroed ground
 
 // How a method is asked for its frame.
 typedef struct Setting {
@@ -46,9 +46,9 @@ typedef struct Measured {
 
 // Draws the ground's scene by `artist` and compares it with the truth. Its resources are made anew where
 // `fresh`. False with a message. The caller destroys what it got, also after a failure.
-bool ground_measure(const Ground *ground, Artist *artist, const Setting *setting, bool fresh,
-                    Measured *measured);
+bool truth_view_measure(const TruthView *truth_view, LabArtist *artist, const Setting *setting, bool fresh,
+                        Measured *measured);
 void measured_destroy(Measured *measured); // accepts a zeroed one
 
 // A request for the ground's scene with the setting's knobs and view.
-Request ground_request(const Ground *ground, const Setting *setting);
+Request truth_view_request(const TruthView *truth_view, const Setting *setting);

@@ -1,25 +1,25 @@
 #include "truth/closed_scenes.h"
 
-Scene hand_wall(float half_size, float distance, float fov_y) {
+Scene closed_wall(float half_size, float distance, float fov_y) {
     Scene scene = {
         .camera = {
             .eye = vec3_make(0, 0, distance), .fov_y = fov_y, .near_plane = 0.5f, .far_plane = 2 * distance}};
     scene.second_camera = scene.camera;
-    hand_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(half_size, 1, half_size), 0);
+    closed_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(half_size, 1, half_size), 0);
     scene.objects[0].world_from_object =
         glms_mat4_mul(glms_rotate_make(glm_rad(90), vec3_make(1, 0, 0)), scene.objects[0].world_from_object);
     return scene;
 }
 
-double hand_radians(double degrees) {
+double closed_radians(double degrees) {
     return degrees * GLM_PI / 180;
 }
 
-double hand_unit(const Scene *scene, int height) {
+double closed_unit(const Scene *scene, int height) {
     return 2 * scene->camera.eye.z * tan(0.5 * scene->camera.fov_y) / height;
 }
 
-void hand_add(Scene *scene, Shape shape, vec3s center, vec3s half_size, float turn) {
+void closed_add(Scene *scene, Shape shape, vec3s center, vec3s half_size, float turn) {
     mat4s placed = glms_rotate(glms_translate_make(center), glm_rad(turn), vec3_make(0, 1, 0));
     scene->objects[scene->object_count++] = (Object){.shape = (int32_t)shape,
                                                      .world_from_object = glms_scale(placed, half_size),
@@ -27,8 +27,8 @@ void hand_add(Scene *scene, Shape shape, vec3s center, vec3s half_size, float tu
                                                      .shininess = 1};
 }
 
-void hand_light(Scene *scene, LightKind kind, vec3s position, vec3s target, float fov_y, float half_size,
-                float near_plane, float far_plane) {
+void closed_light(Scene *scene, LightKind kind, vec3s position, vec3s target, float fov_y, float half_size,
+                  float near_plane, float far_plane) {
     scene->lights[scene->light_count++] = (Light){.kind = (int32_t)kind,
                                                   .position = position,
                                                   .target = target,
@@ -39,13 +39,13 @@ void hand_light(Scene *scene, LightKind kind, vec3s position, vec3s target, floa
                                                   .far_plane = far_plane};
 }
 
-void hand_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn) {
-    hand_add(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), turn);
+void closed_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn) {
+    closed_add(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), turn);
     mat4s *placed = &scene->objects[scene->object_count - 1].world_from_object;
     *placed = glms_rotate(*placed, glm_rad(90), vec3_make(1, 0, 0));
     *placed = glms_scale(*placed, vec3_make(half_width, 1, half_height));
 }
 
-double hand_beside_wall(double x, double h) {
+double closed_beside_wall(double x, double h) {
     return (1 - x / sqrt(x * x + h * h)) / 2;
 }

@@ -5,24 +5,24 @@
 
 // A white wall in the plane z = 0 that faces +z, half_size wide, seen straight on from (0, 0, distance) so
 // that one world unit of the wall covers the same number of pixels everywhere. No light yet.
-Scene hand_wall(float half_size, float distance, float fov_y);
+Scene closed_wall(float half_size, float distance, float fov_y);
 
 // Degrees in radians.
-double hand_radians(double degrees);
+double closed_radians(double degrees);
 
 // World units of the wall per pixel of a picture `height` pixels high.
-double hand_unit(const Scene *scene, int height);
+double closed_unit(const Scene *scene, int height);
 
 // Adds an object; `turn` in degrees about +y.
-void hand_add(Scene *scene, Shape shape, vec3s center, vec3s half_size, float turn);
+void closed_add(Scene *scene, Shape shape, vec3s center, vec3s half_size, float turn);
 
 // Adds a light. Of fov_y and half_size the one counts that its kind has; angles in radians.
-void hand_light(Scene *scene, LightKind kind, vec3s position, vec3s target, float fov_y, float half_size,
-                float near_plane, float far_plane);
+void closed_light(Scene *scene, LightKind kind, vec3s position, vec3s target, float fov_y, float half_size,
+                  float near_plane, float far_plane);
 
 // Adds a plane that stands at `middle` and faces +z, and is then turned about +y (degrees).
-void hand_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn);
+void closed_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn);
 
 // Ambient occlusion, cosine-weighted, of a floor at the distance x from an endless wall of height h: (1 - x /
 // sqrt(x^2 + h^2)) / 2.
-double hand_beside_wall(double x, double h);
+double closed_beside_wall(double x, double h);

@@ -18,20 +18,20 @@
 // What the process keeps: the examiner of the lab that was graded last.
 typedef struct Kept {
     int lab; // -1: none
-    Examiner examiner;
+    LabExam examiner;
 } Kept;
 
 static void forget(Kept *kept) {
-    examiner_close(&kept->examiner);
+    lab_exam_close(&kept->examiner);
     *kept = (Kept){.lab = -1};
 }
 
-static bool keep(Kept *kept, int lab, const BenchOptions *options) {
+static bool keep(Kept *kept, int lab, const GradingOptions *options) {
     if (kept->lab == lab)
         return true;
     forget(kept);
     kept->lab = lab;
-    return examiner_open(&kept->examiner, options->rubrics[lab].id);
+    return lab_exam_open(&kept->examiner, options->rubrics[lab].id);
 }
 
 static void copy_check(VerdictCheck *to, const CheckResult *from) {
@@ -55,7 +55,7 @@ static void copy_result(Verdict *verdict, const LabResult *result) {
         copy_check(&verdict->checks[c], &result->checks[c]);
 }
 
-static void grade(Verdict *verdict, Kept *kept, int lab, const BenchOptions *options) {
+static void grade(Verdict *verdict, Kept *kept, int lab, const GradingOptions *options) {
     static LabResult result;
     char folder[FILES_PATH];
     const GradeOptions how = {
@@ -64,7 +64,7 @@ static void grade(Verdict *verdict, Kept *kept, int lab, const BenchOptions *opt
     memset(verdict, 0, sizeof *verdict);
     check_clear();
     bool ready = keep(kept, lab, options);
-    if (!home_find_lab_in(folder, options->folder, options->rubrics[lab].id))
+    if (!places_find_lab_in(folder, options->folder, options->rubrics[lab].id))
         snprintf(folder, sizeof folder, "%s/%s", options->folder,
                  strrchr(options->rubrics[lab].folder, '/') + 1);
     check_clear();
@@ -92,7 +92,7 @@ static void warm_up(Kept *kept, int requests) {
                     return;
 }
 
-static _Noreturn void serve(const BenchOptions *options, const char *folder, int requests, int verdicts) {
+static _Noreturn void serve(const GradingOptions *options, const char *folder, int requests, int verdicts) {
     static Kept kept = {.lab = -1};
     static Verdict verdict;
     int lab;
@@ -116,7 +116,7 @@ static _Noreturn void serve(const BenchOptions *options, const char *folder, int
     _exit(0);
 }
 
-static bool start(Bench *bench) {
+static bool start(GradingProcess *bench) {
     int requests[2], verdicts[2];
     if (!files_make_temporary(bench->folder))
         return false;
@@ -136,16 +136,16 @@ static bool start(Bench *bench) {
     bench->verdicts = verdicts[0];
     if (bench->pid > 0)
         return true;
-    bench_stop(bench);
+    grading_process_stop(bench);
     return check_fail("no child process");
 }
 
-bool bench_ask(Bench *bench, int lab) {
+bool grading_process_ask(GradingProcess *bench, int lab) {
     INVARIANT(!bench->busy);
     if (bench->pid <= 0 && !start(bench))
         return false;
     if (write(bench->requests, &lab, sizeof lab) != sizeof lab) { // it died while it had nothing to do
-        bench_stop(bench);
+        grading_process_stop(bench);
         if (!start(bench) || write(bench->requests, &lab, sizeof lab) != sizeof lab)
             return check_fail("the process that grades cannot be reached");
     }
@@ -155,7 +155,7 @@ bool bench_ask(Bench *bench, int lab) {
     return true;
 }
 
-bool bench_take(Bench *bench) {
+bool grading_process_take(GradingProcess *bench) {
     const int lab = bench->verdict.lab;
     ssize_t n =
         read(bench->verdicts, (char *)&bench->verdict + bench->taken, sizeof bench->verdict - bench->taken);
@@ -170,11 +170,11 @@ bool bench_take(Bench *bench) {
     }
     bench->busy = false;
     if (bench->verdict.fault)
-        bench_stop(bench);
+        grading_process_stop(bench);
     return true;
 }
 
-void bench_stop(Bench *bench) {
+void grading_process_stop(GradingProcess *bench) {
     if (bench->requests > 0)
         close(bench->requests), close(bench->verdicts);
     if (bench->pid > 0) {

@@ -24,29 +24,29 @@ typedef struct Verdict {
     VerdictCheck checks[RUBRIC_MAX_CHECKS];
 } Verdict;
 
-typedef struct BenchOptions {
+typedef struct GradingOptions {
     const char *folder; // shaped like labs/
     const Rubric *rubrics;
     uint64_t seed; // of all gradings
     ContextKind context;
     double seconds; // that a lab may run
-} BenchOptions;
+} GradingOptions;
 
-typedef struct Bench {
-    BenchOptions options;
+typedef struct GradingProcess {
+    GradingOptions options;
     int pid, requests, verdicts; // our ends; no process while pid is 0
     bool busy;                   // a verdict is to come
     size_t taken;                // bytes of it
     char folder[FILES_PATH];     // for its temporary files, so that none stay when it is stopped
     Verdict verdict;
-} Bench;
+} GradingProcess;
 
 // Asks for the grading of rubrics[lab]; starts the process when there is none. Only when not busy. False with
 // a message.
-bool bench_ask(Bench *bench, int lab);
+bool grading_process_ask(GradingProcess *bench, int lab);
 
 // Takes what has come from bench->verdicts. True when bench->verdict is whole; a process that is lost gives a
 // verdict with a fault.
-bool bench_take(Bench *bench);
+bool grading_process_take(GradingProcess *bench);
 
-void bench_stop(Bench *bench); // accepts a zeroed bench
+void grading_process_stop(GradingProcess *bench); // accepts a zeroed bench

@@ -17,7 +17,7 @@ typedef struct Focus {
     char left[300];  // where the TODO of an earlier task still stands; "" when none does
 } Focus;
 
-typedef struct Desk {
+typedef struct LabBoard {
     const char *folder; // shaped like labs/
     Rubric rubrics[RESULT_MAX_LABS];
     int lab_count;
@@ -31,33 +31,33 @@ typedef struct Desk {
     Focus focus;
     int hints[RESULT_MAX_LABS][DESK_MAX_TASKS]; // of each task: how many are shown
     char message[DESK_TEXT];                    // for the next screen
-} Desk;
+} LabBoard;
 
 // Reads the rubrics and the progress; puts the lab "03" on the desk, or with NULL the first that is not done.
-bool desk_create(Desk *desk, const char *folder, const char *id);
-void desk_destroy(Desk *desk); // accepts a zeroed desk
+bool lab_board_create(LabBoard *board, const char *folder, const char *id);
+void lab_board_destroy(LabBoard *board); // accepts a zeroed desk
 
 // Puts a lab on the desk; its verdict is to come.
-void desk_turn_to(Desk *desk, int lab);
+void lab_board_turn_to(LabBoard *board, int lab);
 
 // The next lab after the current one that is not done, around the end; -1 when all others are.
-int desk_next(const Desk *desk);
+int lab_board_next(const LabBoard *board);
 
 // Takes a verdict for a lab of the desk: records it and finds where to look. True when the current lab has
 // just been done.
-bool desk_take(Desk *desk, const Verdict *verdict);
+bool lab_board_take(LabBoard *board, const Verdict *verdict);
 
 // The folder of a lab's files.
-void desk_lab_folder(const Desk *desk, int lab, char folder[FILES_PATH]);
+void lab_board_lab_folder(const LabBoard *board, int lab, char folder[FILES_PATH]);
 
 // Shows one more hint for the task in focus; a message when there is none left.
-void desk_hint(Desk *desk);
+void lab_board_hint(LabBoard *board);
 
 // The hints of the task in focus that are shown.
-int desk_hints_shown(const Desk *desk);
+int lab_board_hints_shown(const LabBoard *board);
 
 // The number of labs done.
-int desk_done(const Desk *desk);
+int lab_board_done(const LabBoard *board);
 // Points over all labs, of the last gradings.
-double desk_score(const Desk *desk);
-double desk_max_score(const Desk *desk);
+double lab_board_score(const LabBoard *board);
+double lab_board_max_score(const LabBoard *board);

@@ -11,19 +11,19 @@ static double share(double part, double whole) {
     return whole > 0 ? part / whole : 0;
 }
 
-static void show_total(Sheet *sheet, const Desk *desk) {
+static void show_total(Sheet *sheet, const LabBoard *board) {
     char bar[WIDE_BAR + 8];
-    const double score = desk_score(desk), max_score = desk_max_score(desk);
+    const double score = lab_board_score(board), max_score = lab_board_max_score(board);
     sheet_bar(bar, sizeof bar, share(score, max_score), sheet->columns < 96 ? BAR : WIDE_BAR);
     sheet_line(sheet, STYLE_BOLD, "Shadow Lab  %s %.0f of %.0f points, %d of %d labs done", bar, score,
-               max_score, desk_done(desk), desk->lab_count);
+               max_score, lab_board_done(board), board->lab_count);
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
 }
 
-static void show_message(Sheet *sheet, const Desk *desk) {
-    if (!desk->message[0])
+static void show_message(Sheet *sheet, const LabBoard *board) {
+    if (!board->message[0])
         return;
-    sheet_text(sheet, STYLE_GOOD, 0, desk->message);
+    sheet_text(sheet, STYLE_GOOD, 0, board->message);
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
 }
 
@@ -32,56 +32,56 @@ static bool is_broken(const Verdict *verdict) {
     return verdict->fault || verdict->status > LAB_FAILED;
 }
 
-static void show_title(Sheet *sheet, const Desk *desk) {
-    const Rubric *rubric = &desk->rubrics[desk->current];
-    const Verdict *verdict = &desk->verdict;
+static void show_title(Sheet *sheet, const LabBoard *board) {
+    const Rubric *rubric = &board->rubrics[board->current];
+    const Verdict *verdict = &board->verdict;
     char bar[WIDE_BAR + 8], change[32] = "";
-    if (!desk->known || is_broken(verdict)) {
+    if (!board->known || is_broken(verdict)) {
         sheet_line(sheet, STYLE_BOLD, "Lab %s: %s", rubric->id, rubric->title);
         return;
     }
-    const double gained = verdict->score - desk->score_before;
-    if (desk->score_before >= 0 && (gained >= 0.005 || gained <= -0.005))
+    const double gained = verdict->score - board->score_before;
+    if (board->score_before >= 0 && (gained >= 0.005 || gained <= -0.005))
         snprintf(change, sizeof change, "  (%+.0f)", gained);
     sheet_bar(bar, sizeof bar, share(verdict->score, verdict->max_score), BAR);
     sheet_line(sheet, STYLE_BOLD, "Lab %s: %s  %s %.0f of %.0f%s", rubric->id, rubric->title, bar,
                verdict->score, verdict->max_score, change);
 }
 
-static void show_checks(Sheet *sheet, const Desk *desk) {
-    const Rubric *rubric = &desk->rubrics[desk->current];
-    for (int c = 0; c < desk->verdict.check_count; c++) {
-        const VerdictCheck *result = &desk->verdict.checks[c];
+static void show_checks(Sheet *sheet, const LabBoard *board) {
+    const Rubric *rubric = &board->rubrics[board->current];
+    for (int c = 0; c < board->verdict.check_count; c++) {
+        const VerdictCheck *result = &board->verdict.checks[c];
         const Check *check = &rubric->checks[c];
         sheet_marked(sheet, result->passed ? STYLE_GOOD : STYLE_BAD,
-                     result->passed           ? "  ok   "
-                     : c == desk->focus.check ? "> open "
-                                              : "  open ",
+                     result->passed            ? "  ok   "
+                     : c == board->focus.check ? "> open "
+                                               : "  open ",
                      "%-5s %-48s %2.0f of %d%s", check->task, check->name, result->points, check->points,
                      check->optional ? " (optional)" : "");
     }
 }
 
-static void show_hints(Sheet *sheet, const Desk *desk) {
-    const Rubric *rubric = &desk->rubrics[desk->current];
-    const int shown = desk_hints_shown(desk);
+static void show_hints(Sheet *sheet, const LabBoard *board) {
+    const Rubric *rubric = &board->rubrics[board->current];
+    const int shown = lab_board_hints_shown(board);
     int count = 0;
-    while (rubric_hint(rubric, desk->focus.task, count))
+    while (rubric_hint(rubric, board->focus.task, count))
         count++;
     for (int i = 0; i < shown; i++) {
         char text[2000];
         snprintf(text, sizeof text, "Hint %d of %d: %s", i + 1, count,
-                 rubric_hint(rubric, desk->focus.task, i));
+                 rubric_hint(rubric, board->focus.task, i));
         sheet_text(sheet, STYLE_PLAIN, 2, text);
     }
 }
 
-static void show_focus(Sheet *sheet, const Desk *desk) {
-    const Focus *focus = &desk->focus;
-    const VerdictCheck *check = &desk->verdict.checks[focus->check];
+static void show_focus(Sheet *sheet, const LabBoard *board) {
+    const Focus *focus = &board->focus;
+    const VerdictCheck *check = &board->verdict.checks[focus->check];
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
     sheet_line(sheet, STYLE_BOLD, "Task %s%s%s", focus->task, focus->place[0] ? "  " : "", focus->place);
-    const char *waiting = desk->rubrics[desk->current].checks[focus->check].task;
+    const char *waiting = board->rubrics[board->current].checks[focus->check].task;
     if (check->undone && strchr(waiting, '.') && strcmp(waiting, focus->task) != 0)
         sheet_line(sheet, STYLE_PLAIN, "  The check of task %s shows nothing before this one is done, too.",
                    waiting);
@@ -89,46 +89,46 @@ static void show_focus(Sheet *sheet, const Desk *desk) {
         sheet_text(sheet, STYLE_BAD, 2, check->mistake);
     if (!check->undone)
         sheet_text(sheet, STYLE_PLAIN, 2, check->hint);
-    show_hints(sheet, desk);
+    show_hints(sheet, board);
 }
 
 // What compiler, driver or worker say.
-static void show_words(Sheet *sheet, const Desk *desk) {
+static void show_words(Sheet *sheet, const LabBoard *board) {
     char folder[FILES_PATH];
-    const Verdict *verdict = &desk->verdict;
+    const Verdict *verdict = &board->verdict;
     if (!verdict->message[0] && !verdict->warnings[0])
         return;
-    desk_lab_folder(desk, desk->current, folder);
+    lab_board_lab_folder(board, board->current, folder);
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
     sheet_line(sheet, STYLE_DIM, "in %s:", folder);
     sheet_text(sheet, STYLE_BAD, 2, verdict->message);
     sheet_text(sheet, STYLE_PLAIN, 2, verdict->warnings);
 }
 
-void screens_lab(Sheet *sheet, const Desk *desk, bool busy) {
-    show_total(sheet, desk);
-    show_message(sheet, desk);
-    show_title(sheet, desk);
-    if (!desk->known) {
+void screens_lab(Sheet *sheet, const LabBoard *board, bool busy) {
+    show_total(sheet, board);
+    show_message(sheet, board);
+    show_title(sheet, board);
+    if (!board->known) {
         if (busy)
             sheet_line(sheet, STYLE_DIM, "  grading ...");
         return;
     }
-    const bool broken = is_broken(&desk->verdict);
+    const bool broken = is_broken(&board->verdict);
     if (!broken)
-        show_checks(sheet, desk);
-    show_words(sheet, desk);
-    if (!broken && desk->focus.check >= 0)
-        show_focus(sheet, desk);
-    if (desk->verdict.done)
+        show_checks(sheet, board);
+    show_words(sheet, board);
+    if (!broken && board->focus.check >= 0)
+        show_focus(sheet, board);
+    if (board->verdict.done)
         sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on%s%s",
-                   recorded_only() ? "." : "; our solution, to compare: solutions/",
-                   recorded_only() ? "" : strrchr(desk->rubrics[desk->current].folder, '/') + 1);
+                   exam_file_only() ? "." : "; our solution, to compare: solutions/",
+                   exam_file_only() ? "" : strrchr(board->rubrics[board->current].folder, '/') + 1);
 }
 
-static void show_row(Sheet *sheet, const Desk *desk, int lab, bool marked) {
-    const Rubric *rubric = &desk->rubrics[lab];
-    const LabProgress *progress = progress_find(&desk->progress, rubric->id);
+static void show_row(Sheet *sheet, const LabBoard *board, int lab, bool marked) {
+    const Rubric *rubric = &board->rubrics[lab];
+    const LabProgress *progress = progress_find(&board->progress, rubric->id);
     char bar[WIDE_BAR + 8], remark[64] = "not begun";
     sheet_bar(bar, sizeof bar, progress ? share(progress->score, progress->max_score) : 0, BAR);
     if (progress)
@@ -141,18 +141,18 @@ static void show_row(Sheet *sheet, const Desk *desk, int lab, bool marked) {
                  "%s %-32s %s %s", rubric->id, rubric->title, bar, remark);
 }
 
-void screens_list(Sheet *sheet, const Desk *desk, int marked) {
-    show_total(sheet, desk);
-    for (int i = 0; i < desk->lab_count; i++)
-        show_row(sheet, desk, i, i == marked);
+void screens_list(Sheet *sheet, const LabBoard *board, int marked) {
+    show_total(sheet, board);
+    for (int i = 0; i < board->lab_count; i++)
+        show_row(sheet, board, i, i == marked);
 }
 
-void screens_footer(char *text, size_t size, const Desk *desk, bool listing, bool busy) {
+void screens_footer(char *text, size_t size, const LabBoard *board, bool listing, bool busy) {
     if (listing)
         snprintf(text, size, "up, down, Enter: choose a lab   l back   q quit");
     else if (busy)
         snprintf(text, size, "h hint  l list  r run  n next  q quit     grading ...");
     else
-        snprintf(text, size, "h hint  l list  r run  n next  q quit     graded at %s in %.1f s", desk->clock,
-                 desk->verdict.seconds);
+        snprintf(text, size, "h hint  l list  r run  n next  q quit     graded at %s in %.1f s", board->clock,
+                 board->verdict.seconds);
 }

@@ -35,7 +35,7 @@ static _Noreturn void run(const char *program, const char *id, int log) {
 
 void viewer_open(Viewer *viewer, const char *id, char *message, size_t size) {
     char program[FILES_PATH];
-    home_build_path(program, "view");
+    places_build_path(program, "view");
     if (access(program, X_OK) != 0) {
         snprintf(message, size,
                  "there is no window: build/view was not built (it needs GLFW; see README.md). "

@@ -16,7 +16,7 @@ static const double LOOK_EVERY = 0.05, NOTICE_FOR = 4, LONGEST_STEP = 0.5; // se
 static bool find_mine(App *app, const char id[3]) {
     static Submission submission;
     char labs[FILES_PATH];
-    home_path(labs, "labs");
+    places_path(labs, "labs");
     const char *folder = app->options->submission ? app->options->submission : labs;
     return submission_open(&submission, folder) && (submission_find(&submission, id, app->folder) ||
                                                     check_fail("there is no lab %s in %s", id, folder));
@@ -24,14 +24,14 @@ static bool find_mine(App *app, const char id[3]) {
 
 static void note_source(const char *name, void *context) {
     Rubric *rubric = context;
-    if (changes_is_source(name) && rubric->file_count < RUBRIC_MAX_FILES)
+    if (file_watch_is_source(name) && rubric->file_count < RUBRIC_MAX_FILES)
         rubric->files[rubric->file_count++] = strdup(name);
 }
 
 // The rubric; where the solutions are not handed out, only the lab's files.
 static bool load_rubric(App *app, const char id[3]) {
     char folder[FILES_PATH];
-    if (home_find_lab(folder, id))
+    if (places_find_lab(folder, id))
         return rubric_load(&app->rubric, folder);
     check_clear();
     memcpy(app->rubric.id, id, sizeof app->rubric.id);
@@ -59,8 +59,8 @@ static void start_feed(App *app, FeedKind kind, void (*wake)(void)) {
 
 static void take_options(App *app) {
     const AppOptions *options = app->options;
-    State *state = &app->state;
-    state_begin(state, &app->rubric);
+    ViewState *state = &app->state;
+    view_state_begin(state, &app->rubric);
     state->seed = options->seed;
     state->show = options->show;
     state->against_truth = options->against_truth;
@@ -70,7 +70,7 @@ static void take_options(App *app) {
     if (options->request.view[0])
         snprintf(state->view, sizeof state->view, "%s", options->request.view);
     for (int i = 0; i < options->request.knob_count; i++)
-        state_set_knob(state, options->request.knobs[i].name, options->request.knobs[i].value);
+        view_state_set_knob(state, options->request.knobs[i].name, options->request.knobs[i].value);
 }
 
 bool app_create(App *app, const AppOptions *options, void (*wake)(void)) {
@@ -82,11 +82,11 @@ bool app_create(App *app, const AppOptions *options, void (*wake)(void)) {
     if (!find_mine(app, id) || !load_rubric(app, id))
         return false;
     take_options(app);
-    if (!state_request(&app->state, 16, 16, &request))
+    if (!view_state_request(&app->state, 16, 16, &request))
         return false;
-    home_path(shaders, "shaders");
-    changes_begin(&app->watches[0], app->folder, shaders);
-    changes_begin(&app->watches[1], app->rubric.folder ? app->rubric.folder : "", shaders);
+    places_path(shaders, "shaders");
+    file_watch_begin(&app->watches[0], app->folder, shaders);
+    file_watch_begin(&app->watches[1], app->rubric.folder ? app->rubric.folder : "", shaders);
     for (FeedKind kind = 0; kind < FEED_COUNT; kind++)
         start_feed(app, kind, wake);
     app->last = process_now();
@@ -111,13 +111,13 @@ const char *app_title(const App *app) {
 }
 
 FeedKind app_other(const App *app) {
-    return state_needs_truth(&app->state) ? FEED_TRUTH : FEED_REFERENCE;
+    return view_state_needs_truth(&app->state) ? FEED_TRUTH : FEED_REFERENCE;
 }
 
 static bool needs(const App *app, FeedKind kind) {
-    return kind == FEED_MINE        ? state_needs_mine(&app->state)
-           : kind == FEED_REFERENCE ? state_needs_reference(&app->state)
-                                    : state_needs_truth(&app->state);
+    return kind == FEED_MINE        ? view_state_needs_mine(&app->state)
+           : kind == FEED_REFERENCE ? view_state_needs_reference(&app->state)
+                                    : view_state_needs_truth(&app->state);
 }
 
 static bool is_settled(const App *app, FeedKind kind) {
@@ -142,7 +142,7 @@ static void look_at_files(App *app, double now) {
         return;
     app->looked = now;
     for (int i = 0; i < 2; i++) // in the order of FEED_MINE, FEED_REFERENCE
-        if (app->feeds[i].running && changes_found(&app->watches[i]))
+        if (app->feeds[i].running && file_watch_found(&app->watches[i]))
             feed_renew(&app->feeds[i]);
     check_clear(); // a folder that is just being replaced
 }
@@ -193,7 +193,7 @@ static void ask(App *app, FeedKind kind) {
 // A new request, once all have answered the old one. False when there is nothing new to ask for.
 static bool renew_request(App *app, int width, int height) {
     Request request;
-    if (!state_request(&app->state, width, height, &request) || state_same(&request, &app->request))
+    if (!view_state_request(&app->state, width, height, &request) || view_state_same(&request, &app->request))
         return false;
     app->request = request;
     app->number++;
@@ -209,7 +209,7 @@ static void ask_all(App *app) {
 // Is `composed` still what the state wants to see of the pictures? Before they are all there, only the split
 // moves.
 static bool is_outdated(const App *app, bool done) {
-    const State *state = &app->state, *was = &app->shown;
+    const ViewState *state = &app->state, *was = &app->shown;
     bool same_pictures = state->show == was->show && state->against_truth == was->against_truth;
     return same_pictures ? state->split != was->split : done;
 }

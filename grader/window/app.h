@@ -22,7 +22,7 @@ typedef struct App {
     const AppOptions *options;
     Rubric rubric;           // without checks when there is no solution here
     char folder[FILES_PATH]; // mine
-    Changes watches[2];      // of mine, of the reference
+    FileWatch watches[2];    // of mine, of the reference
     Feed feeds[FEED_COUNT];
     FeedNews news[FEED_COUNT];
     char absent[FEED_COUNT][200]; // why a feed does not run; "" when it does
@@ -32,10 +32,10 @@ typedef struct App {
     uint64_t asked[FEED_COUNT]; // number of the last request to each
     Request request;
     uint64_t number; // of `request`
-    State state;
+    ViewState state;
     Description table; // of mine or, until it has one, of the reference
     Image composed;
-    State shown; // when it was composed
+    ViewState shown; // when it was composed
     Difference difference;
     bool settled;        // `composed` is what the state asks for, as far as it can be had
     double last, looked; // process_now of the last tick, of the last look at the files

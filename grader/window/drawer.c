@@ -13,12 +13,12 @@ static const char truth_program[] = "truth_worker";
 
 bool drawer_has_truth(void) {
     char path[FILES_PATH];
-    home_build_path(path, truth_program);
+    places_build_path(path, truth_program);
     return files_exists(path);
 }
 
 static bool build(Drawer *drawer, const DrawerSetup *setup, const Drawer *earlier, char log[COMPILE_LOG]) {
-    Client *client = &drawer->client;
+    WorkerClient *client = &drawer->client;
     const char *lender = earlier->client.folder[0] ? earlier->client.folder : NULL;
     switch (setup->kind) {
     case FEED_TRUTH:
@@ -26,11 +26,11 @@ static bool build(Drawer *drawer, const DrawerSetup *setup, const Drawer *earlie
         snprintf(client->folder, sizeof client->folder, "-");
         return true;
     case FEED_REFERENCE:
-        return derive_ours(client->folder, setup->rubric, (Solved){SOLVED_ALL, NULL}, NULL);
+        return lab_folder_ours(client->folder, setup->rubric, (Solved){SOLVED_ALL, NULL}, NULL);
     default:
         drawer->removes = files_make_temporary(client->folder);
         return drawer->removes &&
-               derive_again(client->folder, lender, setup->rubric, setup->submission, NULL, log);
+               lab_folder_again(client->folder, lender, setup->rubric, setup->submission, NULL, log);
     }
 }
 
@@ -42,13 +42,13 @@ bool drawer_start(Drawer *drawer, const DrawerSetup *setup, const Drawer *earlie
     drawer->client.context = setup->context;
     drawer->client.seconds = mine ? setup->seconds : OURS_SECONDS;
     drawer->client.each_turn = true;
-    return build(drawer, setup, earlier, log) && client_start(&drawer->client);
+    return build(drawer, setup, earlier, log) && worker_client_start(&drawer->client);
 }
 
 DrawResult drawer_describe(Drawer *drawer, Reply *reply) {
     const Request request = {.magic = PROTOCOL_MAGIC};
-    client_begin(&drawer->client);
-    return client_describe(&drawer->client, &request, &drawer->table, reply);
+    worker_client_begin(&drawer->client);
+    return worker_client_describe(&drawer->client, &request, &drawer->table, reply);
 }
 
 static void keep_known_knobs(const Description *known, Request *request) {
@@ -79,14 +79,14 @@ DrawResult drawer_draw(Drawer *drawer, const Request *request, Image *image, Rep
     snprintf(asked.folder, sizeof asked.folder, "%.1000s", drawer->client.folder);
     if (!drawer->client.program)
         keep_known_knobs(&drawer->table, &asked);
-    client_begin(&drawer->client);
-    DrawResult result = client_draw(&drawer->client, &asked, image, reply);
+    worker_client_begin(&drawer->client);
+    DrawResult result = worker_client_draw(&drawer->client, &asked, image, reply);
     pass_on_output(drawer);
     return result;
 }
 
 void drawer_stop(Drawer *drawer) {
-    client_stop(&drawer->client);
+    worker_client_stop(&drawer->client);
     if (drawer->removes)
         files_remove(drawer->client.folder);
     drawer->client.folder[0] = '\0';

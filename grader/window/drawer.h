@@ -18,7 +18,7 @@ typedef struct DrawerSetup {
 } DrawerSetup;
 
 typedef struct Drawer {
-    Client client;
+    WorkerClient client;
     Description table; // of its lab
     bool removes;      // its folder, in the end
 } Drawer;

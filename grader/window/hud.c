@@ -14,7 +14,7 @@ static const Color panel = {12, 14, 18, 196}, alarm = {112, 20, 24, 232};
 static const char *const names[FEED_COUNT] = {"mine", "reference", "truth"};
 static const double PATIENCE = 1; // seconds until the text says that a frame is late
 
-static const char *show_name(const State *state) {
+static const char *show_name(const ViewState *state) {
     static const char *const shows[2][SHOW_COUNT] = {
         {"mine", "reference", "mine | reference", "difference to the reference", "truth"},
         {"mine", "reference", "mine | truth", "difference to the truth", "truth"}};
@@ -25,7 +25,7 @@ static void add_knob(const App *app, int i, Lines *lines) {
     char value[2 * PROTOCOL_LINE], line[LINES_LENGTH] = "";
     const struct KnobText *knob = &app->table.knobs[i];
     bool selected = i == app->state.selected;
-    knob_text(knob, state_knob(&app->state, knob), value, sizeof value);
+    knob_text(knob, view_state_knob(&app->state, knob), value, sizeof value);
     check_append(line, sizeof line, "%c %-14s %s", selected ? '>' : ' ', knob->name, value);
     lines_add(lines, selected ? accent : white, line);
 }
@@ -34,7 +34,7 @@ static void add_state(const App *app, Lines *lines) {
     char line[LINES_LENGTH] = "", what[LINES_LENGTH] = "";
     check_append(line, sizeof line, "%s  %s", app->rubric.id, app_title(app));
     lines_add(lines, white, line);
-    state_text(&app->state, &app->rubric, what, sizeof what);
+    view_state_text(&app->state, &app->rubric, what, sizeof what);
     line[0] = '\0';
     check_append(line, sizeof line, "%s: %s", show_name(&app->state), what);
     lines_add(lines, dim, line);
@@ -50,7 +50,7 @@ static void add_times(const App *app, FeedKind kind, Lines *lines) {
     float sum = 0;
     for (int i = 0; i < LAB_MAX_PASSES; i++)
         sum += news->milliseconds[i];
-    if (news->pictures == 0 || (kind == FEED_TRUTH && !state_needs_truth(&app->state)))
+    if (news->pictures == 0 || (kind == FEED_TRUTH && !view_state_needs_truth(&app->state)))
         return;
     check_append(line, sizeof line, "%-10s %6.1f ms", names[kind], (double)sum);
     for (int i = 0; i < table->pass_count && table->pass_count > 1; i++)
@@ -174,12 +174,12 @@ void hud_put(Text *text, const App *app, int width, int height, const int cursor
 
 void hud_title(const App *app, char *title, size_t size) {
     char what[LINES_LENGTH], value[2 * PROTOCOL_LINE];
-    state_text(&app->state, &app->rubric, what, sizeof what);
+    view_state_text(&app->state, &app->rubric, what, sizeof what);
     title[0] = '\0';
     check_append(title, size, "%s %s - %s: %s", app->rubric.id, app_title(app), show_name(&app->state), what);
     if (app->state.selected < app->table.knob_count) {
         const struct KnobText *knob = &app->table.knobs[app->state.selected];
-        knob_text(knob, state_knob(&app->state, knob), value, sizeof value);
+        knob_text(knob, view_state_knob(&app->state, knob), value, sizeof value);
         check_append(title, size, " - %s %s", knob->name, value);
     }
 }

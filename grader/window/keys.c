@@ -58,37 +58,37 @@ static void move_split(App *app, int sign) {
 }
 
 static void select_knob(App *app, int sign) {
-    state_select_knob(&app->state, &app->table, sign);
+    view_state_select_knob(&app->state, &app->table, sign);
 }
 
 static void step_knob(App *app, int sign) {
-    state_step_knob(&app->state, &app->table, sign, false);
+    view_state_step_knob(&app->state, &app->table, sign, false);
 }
 
 static void step_knob_finely(App *app, int sign) {
-    state_step_knob(&app->state, &app->table, sign, true);
+    view_state_step_knob(&app->state, &app->table, sign, true);
 }
 
 static void reset_knob(App *app, int sign) {
-    (void)sign, state_reset_knob(&app->state, &app->table, false);
+    (void)sign, view_state_reset_knob(&app->state, &app->table, false);
 }
 
 static void reset_knobs(App *app, int sign) {
-    (void)sign, state_reset_knob(&app->state, &app->table, true);
+    (void)sign, view_state_reset_knob(&app->state, &app->table, true);
 }
 
 static void step_view(App *app, int sign) {
-    state_step_view(&app->state, &app->table, sign);
+    view_state_step_view(&app->state, &app->table, sign);
 }
 
 static void step_scene(App *app, int sign) {
-    state_step_scene(&app->state, &app->rubric, sign);
+    view_state_step_scene(&app->state, &app->rubric, sign);
 }
 
 static void step_check(App *app, int sign) {
     if (app->rubric.check_count == 0)
         app_notice(app, "no checks here: the rubric is not handed out");
-    state_step_check(&app->state, &app->rubric, sign);
+    view_state_step_check(&app->state, &app->rubric, sign);
 }
 
 static void step_seed(App *app, int sign) {
@@ -117,7 +117,7 @@ static void raise_light(App *app, int sign) {
 }
 
 static void reset_orbits(App *app, int sign) {
-    (void)sign, state_reset_orbits(&app->state);
+    (void)sign, view_state_reset_orbits(&app->state);
 }
 
 static void run_time(App *app, int sign) {
@@ -242,7 +242,7 @@ Wish keys_press(App *app, int key, int modifiers, bool repeated) {
             (action->repeats || !repeated))
             action->run(app, action->sign);
     }
-    state_limit(&app->state);
+    view_state_limit(&app->state);
     for (int i = 0; i < WISH_COUNT && !repeated; i++)
         if (wishes[i].key == key)
             return wishes[i].wish;
@@ -264,7 +264,7 @@ bool keys_help(int row, const char **keys, const char **meaning) {
 }
 
 void keys_drag(App *app, int buttons, int modifiers, float dx, float dy) {
-    State *state = &app->state;
+    ViewState *state = &app->state;
     if (buttons & 1 << GLFW_MOUSE_BUTTON_RIGHT) {
         state->light.azimuth += DRAG * dx;
         state->light.elevation -= DRAG * dy;
@@ -275,10 +275,10 @@ void keys_drag(App *app, int buttons, int modifiers, float dx, float dy) {
         state->camera.azimuth -= DRAG * dx;
         state->camera.elevation += DRAG * dy;
     }
-    state_limit(state);
+    view_state_limit(state);
 }
 
 void keys_scroll(App *app, float steps) {
     app->state.camera.zoom -= SCROLL * steps;
-    state_limit(&app->state);
+    view_state_limit(&app->state);
 }

@@ -41,12 +41,12 @@ float lines_height(const Lines *lines, const Text *text) {
     return lines->count ? (float)lines->count * text->line + text->advance : 0;
 }
 
-void lines_put(const Lines *lines, Text *text, float x, float y, Color ground) {
+void lines_put(const Lines *lines, Text *text, float x, float y, Color truth_view) {
     float margin = text->advance;
     if (lines->count == 0)
         return;
     text_box(text, x, y, (float)lines->longest * text->advance + 2 * margin, lines_height(lines, text),
-             ground);
+             truth_view);
     for (int i = 0; i < lines->count; i++)
         text_put(text, x + margin, y + margin / 2 + (float)i * text->line, lines->colors[i], lines->of[i]);
 }

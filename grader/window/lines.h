@@ -22,4 +22,4 @@ void lines_add(Lines *lines, Color color, const char *text);
 float lines_height(const Lines *lines, const Text *text);
 
 // Puts them with the upper left corner of their ground at (x, y) pixels.
-void lines_put(const Lines *lines, Text *text, float x, float y, Color ground);
+void lines_put(const Lines *lines, Text *text, float x, float y, Color truth_view);

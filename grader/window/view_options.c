@@ -86,7 +86,7 @@ static bool take_option(AppOptions *options, int option, char *value) {
     }
 }
 
-bool arguments_parse(AppOptions *options, int count, char **arguments) {
+bool view_options_parse(AppOptions *options, int count, char **arguments) {
     static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
                                           {"submission", required_argument, NULL, 'd'},
                                           {"scene", required_argument, NULL, 'n'},

@@ -27,9 +27,9 @@ static int list_scenes(const Rubric *rubric, const char *scenes[MAX_SCENES]) {
     return count;
 }
 
-void state_begin(State *state, const Rubric *rubric) {
+void view_state_begin(ViewState *state, const Rubric *rubric) {
     const char *scenes[MAX_SCENES];
-    *state = (State){.split = 0.5F, .check = -1, .seed = 1, .pixel = 1, .text = true};
+    *state = (ViewState){.split = 0.5F, .check = -1, .seed = 1, .pixel = 1, .text = true};
     set_name(state->view, VIEW_PICTURE);
     set_name(state->scene, list_scenes(rubric, scenes) > 0 ? scenes[0] : "");
     for (int c = 0; c < rubric->check_count; c++)
@@ -37,33 +37,33 @@ void state_begin(State *state, const Rubric *rubric) {
             set_name(state->scene, rubric->checks[c].scene);
 }
 
-bool state_needs_truth(const State *state) {
+bool view_state_needs_truth(const ViewState *state) {
     bool compares = state->show == SHOW_SPLIT || state->show == SHOW_DIFFERENCE;
     return state->show == SHOW_TRUTH || (compares && state->against_truth);
 }
 
-bool state_needs_reference(const State *state) {
+bool view_state_needs_reference(const ViewState *state) {
     bool compares = state->show == SHOW_SPLIT || state->show == SHOW_DIFFERENCE;
     return state->show == SHOW_REFERENCE || (compares && !state->against_truth);
 }
 
-bool state_needs_mine(const State *state) {
+bool view_state_needs_mine(const ViewState *state) {
     return state->show == SHOW_MINE || state->show == SHOW_SPLIT || state->show == SHOW_DIFFERENCE;
 }
 
-static void move(const State *state, Scene *scene) {
+static void move(const ViewState *state, Scene *scene) {
     Orbit light = orbit_swing(&state->light, state->time);
     orbit_camera(&scene->camera, &state->camera);
     for (int i = 0; i < scene->light_count && i < SCENE_MAX_LIGHTS; i++)
         orbit_light(&scene->lights[i], &light);
 }
 
-bool state_request(const State *state, int width, int height, Request *request) {
+bool view_state_request(const ViewState *state, int width, int height, Request *request) {
     memset(request, 0, sizeof *request);
     request->magic = PROTOCOL_MAGIC;
     request->width = width < PROTOCOL_MAX_SIZE ? width : PROTOCOL_MAX_SIZE;
     request->height = height < PROTOCOL_MAX_SIZE ? height : PROTOCOL_MAX_SIZE;
-    set_name(request->view, state_needs_truth(state) ? VIEW_VISIBILITY : state->view);
+    set_name(request->view, view_state_needs_truth(state) ? VIEW_VISIBILITY : state->view);
     memcpy(request->knobs, state->knobs, sizeof request->knobs);
     request->knob_count = state->knob_count;
     if (!scene_make(&request->scene, state->scene, &(Random){state->seed}))
@@ -72,24 +72,24 @@ bool state_request(const State *state, int width, int height, Request *request) 
     return true;
 }
 
-bool state_same(const Request *a, const Request *b) {
+bool view_state_same(const Request *a, const Request *b) {
     const unsigned char *bytes = (const unsigned char *)a, *others = (const unsigned char *)b;
     return memcmp(bytes, others, sizeof *a) == 0; // both began as zeroes, padding included
 }
 
-static int find_knob(const State *state, const char *name) {
+static int find_knob(const ViewState *state, const char *name) {
     int i = 0;
     while (i < state->knob_count && strcmp(state->knobs[i].name, name) != 0)
         i++;
     return i;
 }
 
-float state_knob(const State *state, const struct KnobText *knob) {
+float view_state_knob(const ViewState *state, const struct KnobText *knob) {
     int i = find_knob(state, knob->name);
     return i < state->knob_count ? state->knobs[i].value : knob->value;
 }
 
-void state_set_knob(State *state, const char *name, float value) {
+void view_state_set_knob(ViewState *state, const char *name, float value) {
     int i = find_knob(state, name);
     if (i == LAB_MAX_KNOBS)
         return;
@@ -99,11 +99,11 @@ void state_set_knob(State *state, const char *name, float value) {
     state->knobs[i].value = value;
 }
 
-void state_step_knob(State *state, const Description *table, int direction, bool fine) {
+void view_state_step_knob(ViewState *state, const Description *table, int direction, bool fine) {
     if (state->selected >= table->knob_count)
         return;
     const struct KnobText *knob = &table->knobs[state->selected];
-    state_set_knob(state, knob->name, knob_step(knob, state_knob(state, knob), direction, fine));
+    view_state_set_knob(state, knob->name, knob_step(knob, view_state_knob(state, knob), direction, fine));
 }
 
 // The neighbour of `at` on a circle of `count`.
@@ -111,18 +111,18 @@ static int around(int at, int count, int direction) {
     return (at + direction + count) % count;
 }
 
-void state_select_knob(State *state, const Description *table, int direction) {
+void view_state_select_knob(ViewState *state, const Description *table, int direction) {
     if (table->knob_count > 0)
         state->selected = around(state->selected, table->knob_count, direction);
 }
 
-void state_reset_knob(State *state, const Description *table, bool all) {
+void view_state_reset_knob(ViewState *state, const Description *table, bool all) {
     for (int i = 0; i < table->knob_count; i++)
         if (all || i == state->selected)
-            state_set_knob(state, table->knobs[i].name, table->knobs[i].value);
+            view_state_set_knob(state, table->knobs[i].name, table->knobs[i].value);
 }
 
-void state_step_check(State *state, const Rubric *rubric, int direction) {
+void view_state_step_check(ViewState *state, const Rubric *rubric, int direction) {
     if (rubric->check_count == 0)
         return;
     bool outside = state->check < 0;
@@ -133,10 +133,10 @@ void state_step_check(State *state, const Rubric *rubric, int direction) {
     set_name(state->view, check->view);
     state->knob_count = 0;
     for (int i = 0; i < check->knob_count; i++)
-        state_set_knob(state, check->knobs[i].name, check->knobs[i].value);
+        view_state_set_knob(state, check->knobs[i].name, check->knobs[i].value);
 }
 
-void state_step_scene(State *state, const Rubric *rubric, int direction) {
+void view_state_step_scene(ViewState *state, const Rubric *rubric, int direction) {
     const char *scenes[MAX_SCENES];
     int count = list_scenes(rubric, scenes), at = 0;
     if (count == 0)
@@ -146,7 +146,7 @@ void state_step_scene(State *state, const Rubric *rubric, int direction) {
     set_name(state->scene, scenes[at == count ? 0 : around(at, count, direction)]);
 }
 
-void state_step_view(State *state, const Description *table, int direction) {
+void view_state_step_view(ViewState *state, const Description *table, int direction) {
     const char *views[LAB_MAX_STAGES + 2] = {VIEW_PICTURE, VIEW_VISIBILITY};
     int count = 2, at = 0;
     for (int i = 0; i < table->stage_count; i++)
@@ -156,7 +156,7 @@ void state_step_view(State *state, const Description *table, int direction) {
     set_name(state->view, views[at == count ? 0 : around(at, count, direction)]);
 }
 
-void state_limit(State *state) {
+void view_state_limit(ViewState *state) {
     Scene scene;
     if (!scene_make(&scene, state->scene, &(Random){state->seed}))
         return;
@@ -165,14 +165,14 @@ void state_limit(State *state) {
         orbit_limit(&state->light, glms_vec3_sub(scene.lights[0].position, scene.lights[0].target));
 }
 
-void state_reset_orbits(State *state) {
+void view_state_reset_orbits(ViewState *state) {
     state->camera = state->light = (Orbit){0};
     state->time = 0;
     state->running = false;
 }
 
 // Is everything as the check that was chosen last has it?
-static bool matches(const State *state, const Check *check) {
+static bool matches(const ViewState *state, const Check *check) {
     bool same = strcmp(state->scene, check->scene) == 0 && strcmp(state->view, check->view) == 0 &&
                 state->knob_count == check->knob_count;
     for (int i = 0; same && i < check->knob_count; i++)
@@ -181,10 +181,10 @@ static bool matches(const State *state, const Check *check) {
     return same;
 }
 
-void state_text(const State *state, const Rubric *rubric, char *text, size_t size) {
+void view_state_text(const ViewState *state, const Rubric *rubric, char *text, size_t size) {
     text[0] = '\0';
     check_append(text, size, "%s of \"%s\", seed %llu",
-                 state_needs_truth(state) ? VIEW_VISIBILITY : state->view, state->scene,
+                 view_state_needs_truth(state) ? VIEW_VISIBILITY : state->view, state->scene,
                  (unsigned long long)state->seed);
     if (state->time != 0)
         check_append(text, size, ", light at %.1f s", state->time);

@@ -10,7 +10,7 @@
 
 enum { STATE_MAX_PIXEL = 16 };
 
-typedef struct State {
+typedef struct ViewState {
     Show show;
     bool against_truth; // SPLIT and DIFFERENCE: the truth, not the reference, is the other one
     float split;        // 0..1
@@ -25,43 +25,43 @@ typedef struct State {
     bool running;
     int pixel;              // side of a pixel of the picture in those of the window
     bool help, text, loupe; // shown
-} State;
+} ViewState;
 
 // The lab as it is graded for the whole picture, when it has a rubric with such a check; else the first
 // scene. Knobs have their defaults, the seed is 1, time stands still.
-void state_begin(State *state, const Rubric *rubric);
+void view_state_begin(ViewState *state, const Rubric *rubric);
 
 // What is to be drawn. False with a message when there is no such scene.
-bool state_request(const State *state, int width, int height, Request *request);
+bool view_state_request(const ViewState *state, int width, int height, Request *request);
 
-// Do two requests of state_request ask for the same?
-bool state_same(const Request *a, const Request *b);
+// Do two requests of view_state_request ask for the same?
+bool view_state_same(const Request *a, const Request *b);
 
 // Does this state need the picture of mine, of the reference, of the truth?
-bool state_needs_mine(const State *state);
-bool state_needs_reference(const State *state);
-bool state_needs_truth(const State *state);
+bool view_state_needs_mine(const ViewState *state);
+bool view_state_needs_reference(const ViewState *state);
+bool view_state_needs_truth(const ViewState *state);
 
 // The value of the table's knob: what was set, or its default.
-float state_knob(const State *state, const struct KnobText *knob);
-void state_set_knob(State *state, const char *name, float value);
+float view_state_knob(const ViewState *state, const struct KnobText *knob);
+void view_state_set_knob(ViewState *state, const char *name, float value);
 
 // Steps the selected knob (see knob_step.h); selects the next one; gives it, or all of them, the defaults.
-void state_step_knob(State *state, const Description *table, int direction, bool fine);
-void state_select_knob(State *state, const Description *table, int direction);
-void state_reset_knob(State *state, const Description *table, bool all);
+void view_state_step_knob(ViewState *state, const Description *table, int direction, bool fine);
+void view_state_select_knob(ViewState *state, const Description *table, int direction);
+void view_state_reset_knob(ViewState *state, const Description *table, bool all);
 
 // The next or last entry of a circle: the rubric's checks with scene, knobs and view; the scenes of the
 // rubric, or all; picture, visibility and the table's stages.
-void state_step_check(State *state, const Rubric *rubric, int direction);
-void state_step_scene(State *state, const Rubric *rubric, int direction);
-void state_step_view(State *state, const Description *table, int direction);
+void view_state_step_check(ViewState *state, const Rubric *rubric, int direction);
+void view_state_step_scene(ViewState *state, const Rubric *rubric, int direction);
+void view_state_step_view(ViewState *state, const Description *table, int direction);
 
 // Keeps camera and light within what orbit_limit allows in this scene.
-void state_limit(State *state);
+void view_state_limit(ViewState *state);
 
 // Camera, light and time as the scene has them.
-void state_reset_orbits(State *state);
+void view_state_reset_orbits(ViewState *state);
 
 // "picture of fence spot, seed 1", for the text in the window.
-void state_text(const State *state, const Rubric *rubric, char *text, size_t size);
+void view_state_text(const ViewState *state, const Rubric *rubric, char *text, size_t size);

@@ -42,8 +42,8 @@ bool window_open(Window *window, int width, int height) {
         return check_fail("no window with OpenGL 4.1 can be opened");
     glfwMakeContextCurrent(window->handle);
     glfwSwapInterval(1);
-    home_path(shaders, "shaders");
-    home_path(own_shaders, "grader/window");
+    places_path(shaders, "shaders");
+    places_path(own_shaders, "grader/window");
     shader_source_folders(own_shaders, shaders);
     return gl_load((GLADloadfunc)glfwGetProcAddress) && screen_create(&window->screen) &&
            window_measure(window);

@@ -11,10 +11,10 @@
 
 enum { MAX_LABS = 128 };
 
-static HostedLab *hosted_labs[MAX_LABS];
+static LoadedLab *hosted_labs[MAX_LABS];
 static const char *running;
 
-static bool load_lab(HostedLab *hosted) {
+static bool load_lab(LoadedLab *hosted) {
     char path[4096];
     snprintf(path, sizeof path, "%s/lab.so", hosted->folder);
     void *library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
@@ -26,7 +26,7 @@ static bool load_lab(HostedLab *hosted) {
     return true;
 }
 
-static bool load_programs(HostedLab *hosted) {
+static bool load_programs(LoadedLab *hosted) {
     INVARIANT(hosted->lab);
     for (int i = 0; i < LAB_MAX_PROGRAMS && hosted->lab->programs[i].vertex; i++) {
         if (!program_create(&hosted->programs[i], &hosted->lab->programs[i]))
@@ -36,7 +36,7 @@ static bool load_programs(HostedLab *hosted) {
     return true;
 }
 
-static bool load(HostedLab *hosted, const char *shader_folder) {
+static bool load(LoadedLab *hosted, const char *shader_folder) {
     running = "the start";
     shader_source_folders(hosted->folder, shader_folder);
     hosted->ready = load_lab(hosted) && load_programs(hosted);
@@ -45,7 +45,7 @@ static bool load(HostedLab *hosted, const char *shader_folder) {
     return hosted->ready;
 }
 
-HostedLab *host_find(const char *folder, const char *shader_folder) {
+LoadedLab *loaded_lab_find(const char *folder, const char *shader_folder) {
     int i = 0;
     while (i < MAX_LABS && hosted_labs[i] && strcmp(hosted_labs[i]->folder, folder) != 0)
         i++;
@@ -58,7 +58,7 @@ HostedLab *host_find(const char *folder, const char *shader_folder) {
     return hosted_labs[i];
 }
 
-static void destroy_lab(HostedLab *hosted) {
+static void destroy_lab(LoadedLab *hosted) {
     if (hosted->created)
         hosted->lab->destroy();
     hosted->created = false;
@@ -94,7 +94,7 @@ static bool same_knobs(const float *a, const float *b) {
 }
 
 // The lab's resources fit one size and one setting of the knobs.
-static bool ensure_created(HostedLab *hosted, const Request *request, Frame *frame) {
+static bool ensure_created(LoadedLab *hosted, const Request *request, Frame *frame) {
     float knobs[LAB_MAX_KNOBS] = {0};
     if (!take_knobs(hosted->lab, request, knobs))
         return false;
@@ -168,7 +168,7 @@ static bool read_pixels(const Target *target, uint8_t *pixels) {
     return true;
 }
 
-static bool show_view(const HostedLab *hosted, const StageView *view, const Request *request,
+static bool show_view(const LoadedLab *hosted, const StageView *view, const Request *request,
                       const Frame *frame, uint8_t *pixels) {
     if (strcmp(request->view, VIEW_PRIMITIVES) == 0)
         return primitives_view_draw(frame) && read_pixels(&hosted->picture, pixels);
@@ -182,8 +182,8 @@ static bool show_view(const HostedLab *hosted, const StageView *view, const Requ
     return check_fail("the lab has no stage \"%s\"; restore the table of stages", request->view);
 }
 
-bool host_draw(HostedLab *hosted, const StageView *view, const Request *request, float *milliseconds,
-               uint8_t *pixels) {
+bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *request, float *milliseconds,
+                     uint8_t *pixels) {
     check_clear();
     gl_clear_error();
     if (!hosted->ready)
@@ -208,7 +208,7 @@ static void describe_knob(struct KnobText *text, const Knob *knob) {
     text->value = knob->value;
 }
 
-bool host_describe(const HostedLab *hosted, Description *description) {
+bool loaded_lab_describe(const LoadedLab *hosted, Description *description) {
     const Lab *lab = hosted->lab;
     memset(description, 0, sizeof *description);
     if (!lab)
@@ -223,11 +223,11 @@ bool host_describe(const HostedLab *hosted, Description *description) {
     return true;
 }
 
-const char *host_running(void) {
+const char *loaded_lab_running(void) {
     return running;
 }
 
-void host_destroy(void) {
+void loaded_lab_destroy(void) {
     for (int i = 0; i < MAX_LABS && hosted_labs[i]; i++) {
         destroy_lab(hosted_labs[i]);
         free(hosted_labs[i]);

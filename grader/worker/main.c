@@ -26,7 +26,7 @@ static struct {
 static void report_crash(int number) {
     char text[300] = "";
     void *frames[32];
-    check_append(text, sizeof text, "in %s", host_running() ? host_running() : "the lab");
+    check_append(text, sizeof text, "in %s", loaded_lab_running() ? loaded_lab_running() : "the lab");
     gl_append_caller(text, sizeof text, frames, backtrace(frames, 32));
     ssize_t written = write(STDERR_FILENO, text, strlen(text));
     (void)written;
@@ -62,11 +62,12 @@ static bool perform(const Request *request, Reply *reply, void *payload) {
         return false; // with the message of the start
     bool named = strcmp(worker.lab_folder, "-") == 0;
     check_clear();
-    HostedLab *hosted = host_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
+    LoadedLab *hosted = loaded_lab_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
     if (!hosted)
         return check_fail("too many labs in one worker");
-    return request->describe ? host_describe(hosted, payload)
-                             : host_draw(hosted, &worker.stage_view, request, reply->milliseconds, payload);
+    return request->describe
+               ? loaded_lab_describe(hosted, payload)
+               : loaded_lab_draw(hosted, &worker.stage_view, request, reply->milliseconds, payload);
 }
 
 static bool answer(const Request *request) {
@@ -77,12 +78,12 @@ static bool answer(const Request *request) {
     if (!payload)
         return false;
     memset(&reply, 0, sizeof reply);
-    capture_begin();
+    renderdoc_begin();
     bool done = perform(request, &reply, payload);
-    capture_end();
+    renderdoc_end();
     fill_reply(&reply, done);
-    bool sent = transfer_write(PROTOCOL_REPLIES, &reply, sizeof reply) &&
-                transfer_write(PROTOCOL_REPLIES, payload, bytes);
+    bool sent =
+        pipe_write(PROTOCOL_REPLIES, &reply, sizeof reply) && pipe_write(PROTOCOL_REPLIES, payload, bytes);
     free(payload);
     return sent;
 }
@@ -105,12 +106,12 @@ int main(int count, char **arguments) {
     worker.shader_folder = arguments[3];
     shader_source_folders(".", worker.shader_folder);
     worker.ready = start(arguments[1]);
-    while (transfer_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
+    while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
         INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&
                   request.height <= PROTOCOL_MAX_SIZE);
         if (!answer(&request))
             return 1;
     }
-    host_destroy();
+    loaded_lab_destroy();
     return 0;
 }

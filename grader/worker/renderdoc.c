@@ -21,13 +21,13 @@ static RENDERDOC_API_1_0_0 *find_api(void) {
     return api;
 }
 
-void capture_begin(void) {
+void renderdoc_begin(void) {
     RENDERDOC_API_1_0_0 *api = find_api();
     if (api)
         api->StartFrameCapture(NULL, NULL);
 }
 
-void capture_end(void) {
+void renderdoc_end(void) {
     RENDERDOC_API_1_0_0 *api = find_api();
     if (api)
         api->EndFrameCapture(NULL, NULL);
@@ -35,10 +35,10 @@ void capture_end(void) {
 
 #else
 
-void capture_begin(void) {
+void renderdoc_begin(void) {
 }
 
-void capture_end(void) {
+void renderdoc_end(void) {
 }
 
 #endif

@@ -3,5 +3,5 @@
 #pragma once
 
 // Around all GL calls of a frame.
-void capture_begin(void);
-void capture_end(void);
+void renderdoc_begin(void);
+void renderdoc_end(void);

@@ -28,29 +28,29 @@ static Scene wall_and_floor(void) {
                               .fov_y = glm_rad(30),
                               .near_plane = 1,
                               .far_plane = 20}};
-    hand_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make((float)HALF, 1, (float)HALF), 0);
-    hand_stand(&scene, vec3_make(0, 0.5f, (float)-HALF), 40, 0.5f, 0);
+    closed_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make((float)HALF, 1, (float)HALF), 0);
+    closed_stand(&scene, vec3_make(0, 0.5f, (float)-HALF), 40, 0.5f, 0);
     return scene;
 }
 
 static double exact(double z) {
-    return hand_beside_wall(z + HALF, 1);
+    return closed_beside_wall(z + HALF, 1);
 }
 
 // Draws the baked occlusion as `view` shows it, in 8 bits of grey.
-static bool draw(Artist *artist, const Scene *scene, const char *view, MetricsSize size, int density,
+static bool draw(LabArtist *artist, const Scene *scene, const char *view, MetricsSize size, int density,
                  int rays, Image *image) {
     static Reply reply;
     Setting setting = {.view = view};
     setting_knob(&setting, "texel density", (float)density);
     setting_knob(&setting, "rays", (float)rays);
     const Request request = setting_request(&setting, scene, size);
-    return artist_draw(artist, &request, image, &reply);
+    return lab_artist_draw(artist, &request, image, &reply);
 }
 
 // RMS error of the floor's texels; `theory`: that of independent rays, each of which hits with the
 // probability that is to be found.
-static bool texel_error(Artist *artist, int density, int rays, double *error, double *theory) {
+static bool texel_error(LabArtist *artist, int density, int rays, double *error, double *theory) {
     const Scene scene = wall_and_floor();
     Atlas atlas = {0};
     Image image = {0};
@@ -92,7 +92,7 @@ static double interpolated(double z, int density) {
 }
 
 // RMS error of the picture's floor; `resolution`: that of exact texels.
-static bool picture_error(Artist *artist, int density, int rays, double *error, double *resolution) {
+static bool picture_error(LabArtist *artist, int density, int rays, double *error, double *resolution) {
     const Scene scene = wall_and_floor();
     const MetricsSize size = {WIDTH, HEIGHT};
     Image image = {0};
@@ -118,8 +118,8 @@ static double uncertainty(int density) {
     return 4 / sqrt(2 * texels);
 }
 
-static bool sweep_rays(Bench *bench, Curve *curve, const Change *change) {
-    Artist *artist = bench_artist(bench, "08", change);
+static bool sweep_rays(LabSet *labs, Curve *curve, const Change *change) {
+    LabArtist *artist = lab_set_artist(labs, "08", change);
     bool ok = artist != NULL;
     for (int rays = 4; ok && rays <= 256; rays *= 2) {
         double error, theory;
@@ -132,8 +132,8 @@ static bool sweep_rays(Bench *bench, Curve *curve, const Change *change) {
 
 // A pixel's value is interpolated between four texels: of independent noise 2/3 are left on average. Noise
 // and resolution add up by squares where they have nothing in common, and to their sum at most.
-static bool sweep_texels(Bench *bench, Curve *curve, int density) {
-    Artist *artist = bench_artist(bench, "08", NULL);
+static bool sweep_texels(LabSet *labs, Curve *curve, int density) {
+    LabArtist *artist = lab_set_artist(labs, "08", NULL);
     bool ok = artist != NULL;
     for (int rays = 4; ok && rays <= 4096; rays *= 4) {
         double error, resolution, texels, theory;
@@ -147,25 +147,26 @@ static bool sweep_texels(Bench *bench, Curve *curve, int density) {
     return ok;
 }
 
-static bool keep_frame(Bench *bench, Findings *findings) {
+static bool keep_frame(LabSet *labs, Findings *findings) {
     const Scene scene = wall_and_floor();
     const TruthQuery query = {.kind = TRUTH_OCCLUSION, .samples = TRUTH_RAYS};
     Setting setting = {.view = VIEW_VISIBILITY, .object = TRUTH_NONE};
-    Ground ground = {0};
+    TruthView truth_view = {0};
     Measured measured = {0};
-    Artist *artist = bench_artist(bench, "08", NULL);
+    LabArtist *artist = lab_set_artist(labs, "08", NULL);
     setting_knob(&setting, "texel density", 1);
     setting_knob(&setting, "rays", 4);
-    bool ok = artist && ground_create(&ground, &scene, (MetricsSize){WIDTH, HEIGHT}, &query, artist) &&
-              ground_measure(&ground, artist, &setting, false, &measured);
+    bool ok = artist &&
+              truth_view_create(&truth_view, &scene, (MetricsSize){WIDTH, HEIGHT}, &query, artist) &&
+              truth_view_measure(&truth_view, artist, &setting, false, &measured);
     if (ok)
-        findings_frame(findings, 0, 0, &ground, &measured, "One texel a unit, four rays a texel");
+        findings_frame(findings, 0, 0, &truth_view, &measured, "One texel a unit, four rays a texel");
     measured_destroy(&measured);
-    ground_destroy(&ground);
+    truth_view_destroy(&truth_view);
     return ok;
 }
 
-static bool run_bake(Bench *bench, Findings *findings) {
+static bool run_bake(LabSet *labs, Findings *findings) {
     Figure *noise = findings_figure(findings, "Texels beside a wall", "rays a texel", "RMS error"),
            *picture =
                findings_figure(findings, "The picture between the texels", "rays a texel", "RMS error");
@@ -173,12 +174,12 @@ static bool run_bake(Bench *bench, Findings *findings) {
     Curve *even = figure_curve(noise, "the lab's even rays", CURVE_SLOPE);
     even->slope = -0.79;
     even->tolerance = 0.05;
-    return sweep_rays(bench, even, NULL) &&
-           sweep_rays(bench, figure_curve(noise, "independent rays", CURVE_EQUAL), &independent) &&
-           sweep_texels(bench, figure_curve(picture, "1 texel a unit", CURVE_EQUAL), 1) &&
-           sweep_texels(bench, figure_curve(picture, "2 texels a unit", CURVE_EQUAL), 2) &&
-           sweep_texels(bench, figure_curve(picture, "4 texels a unit", CURVE_EQUAL), 4) &&
-           keep_frame(bench, findings);
+    return sweep_rays(labs, even, NULL) &&
+           sweep_rays(labs, figure_curve(noise, "independent rays", CURVE_EQUAL), &independent) &&
+           sweep_texels(labs, figure_curve(picture, "1 texel a unit", CURVE_EQUAL), 1) &&
+           sweep_texels(labs, figure_curve(picture, "2 texels a unit", CURVE_EQUAL), 2) &&
+           sweep_texels(labs, figure_curve(picture, "4 texels a unit", CURVE_EQUAL), 4) &&
+           keep_frame(labs, findings);
 }
 
 const Row rows_bake[] = {

@@ -35,11 +35,11 @@ static bool meets_shadow(const Scene *casters, vec3s from, vec3s ray) {
 // faces there the near cap is missing.
 static SightShare half_counted(const Probe *probe) {
     static uint8_t flags[SIZE * SIZE];
-    const Scene casters = sight_casters(&probe->ground.truth.scene);
+    const Scene casters = sight_casters(&probe->truth_view.truth.scene);
     for (int i = 0; i < SIZE * SIZE; i++) {
-        const TruthHit *hit = &probe->ground.picture.hits[i];
-        vec3s ray = sight_ray(&casters.camera, probe->ground.size, i % SIZE, i / SIZE);
-        flags[i] = hit->object == 1 && probe->ground.visibility[i] > 0.5f &&
+        const TruthHit *hit = &probe->truth_view.picture.hits[i];
+        vec3s ray = sight_ray(&casters.camera, probe->truth_view.size, i % SIZE, i / SIZE);
+        flags[i] = hit->object == 1 && probe->truth_view.visibility[i] > 0.5f &&
                    meets_shadow(&casters, hit->position, ray);
     }
     return sight_share(probe, flags);
@@ -49,10 +49,10 @@ static bool sweep_near_caps(const Counting *method, bool fails) {
     bool ok = true;
     for (int angle = 0; ok && angle <= 75; angle += 15) {
         float a = glm_rad((float)angle);
-        Scene scene = hand_wall(6, 10, glm_rad(40));
-        hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 2), vec3_make(0.8f, 0.8f, 0.8f), 25);
-        hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(10 * sinf(a), 2, 10 * cosf(a)), vec3_make(0, 0, 0), 0,
-                   10, 1, 20);
+        Scene scene = closed_wall(6, 10, glm_rad(40));
+        closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 2), vec3_make(0.8f, 0.8f, 0.8f), 25);
+        closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(10 * sinf(a), 2, 10 * cosf(a)), vec3_make(0, 0, 0),
+                     0, 10, 1, 20);
         Probe probe;
         ok = counting_begin(&probe, method, &scene);
         if (ok) {
@@ -69,9 +69,10 @@ static bool sweep_far_caps(const Counting *method, bool fails) {
     bool ok = true;
     for (int i = 0; ok && i <= 8; i++) {
         double x = 0.45 * i;
-        Scene scene = hand_wall(6, 10, glm_rad(40));
-        hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 3), vec3_make(0.8f, 0.8f, 0.1f), 0);
-        hand_light(&scene, LIGHT_SPOT, vec3_make((float)x, 0, 7), vec3_make(0, 0, 0), glm_rad(90), 0, 1, 20);
+        Scene scene = closed_wall(6, 10, glm_rad(40));
+        closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 3), vec3_make(0.8f, 0.8f, 0.1f), 0);
+        closed_light(&scene, LIGHT_SPOT, vec3_make((float)x, 0, 7), vec3_make(0, 0, 0), glm_rad(90), 0, 1,
+                     20);
         Probe probe;
         SightShare share = {0};
         ok = counting_begin(&probe, method, &scene);
@@ -85,26 +86,24 @@ static bool sweep_far_caps(const Counting *method, bool fails) {
     return ok;
 }
 
-static bool run_caps(Bench *bench, Findings *findings) {
+static bool run_caps(LabSet *labs, Findings *findings) {
     Figure *near_figure = findings_figure(findings, "Without near caps", "angle of the light (degrees)",
                                           "wrong pixels (share)"),
            *far_figure = findings_figure(findings, "Without far caps",
                                          "distance of the lamp from the line of sight (world units)",
                                          "wrong pixels (share)");
-    Artist *artist = bench_artist(bench, "07", NULL);
+    LabArtist *artist = lab_set_artist(labs, "07", NULL);
     const Change *near_caps = artist ? rubric_mistake(&artist->rubric, "the near caps are missing") : NULL,
                  *far_caps = artist ? rubric_mistake(&artist->rubric, "the far caps are missing") : NULL;
     const Counting near[] = {
-        {bench, findings, figure_curve(near_figure, "failure: z-fail", CURVE_EQUAL), near_caps, Z_FAIL, 0},
-        {bench, findings, figure_curve(near_figure, "z-pass does without", CURVE_EQUAL), near_caps, Z_PASS,
-         2},
-        {bench, findings, figure_curve(near_figure, "remedy: z-fail with caps", CURVE_EQUAL), NULL, Z_FAIL,
+        {labs, findings, figure_curve(near_figure, "failure: z-fail", CURVE_EQUAL), near_caps, Z_FAIL, 0},
+        {labs, findings, figure_curve(near_figure, "z-pass does without", CURVE_EQUAL), near_caps, Z_PASS, 2},
+        {labs, findings, figure_curve(near_figure, "remedy: z-fail with caps", CURVE_EQUAL), NULL, Z_FAIL,
          2}};
     const Counting far[] = {
-        {bench, findings, figure_curve(far_figure, "failure: z-fail", CURVE_EQUAL), far_caps, Z_FAIL, 1},
-        {bench, findings, figure_curve(far_figure, "z-pass does without", CURVE_EQUAL), far_caps, Z_PASS, 2},
-        {bench, findings, figure_curve(far_figure, "remedy: z-fail with caps", CURVE_EQUAL), NULL, Z_FAIL,
-         2}};
+        {labs, findings, figure_curve(far_figure, "failure: z-fail", CURVE_EQUAL), far_caps, Z_FAIL, 1},
+        {labs, findings, figure_curve(far_figure, "z-pass does without", CURVE_EQUAL), far_caps, Z_PASS, 2},
+        {labs, findings, figure_curve(far_figure, "remedy: z-fail with caps", CURVE_EQUAL), NULL, Z_FAIL, 2}};
     bool ok = near_caps && far_caps;
     for (int i = 0; ok && i < 3; i++)
         ok = sweep_near_caps(&near[i], i == 0) && sweep_far_caps(&far[i], i == 0);
@@ -135,13 +134,13 @@ static bool count_open_edges(Curve *curve) {
 static bool sweep_turns(const Counting *method, bool quad) {
     bool ok = true;
     for (int turn = 10; ok && turn <= 170; turn += 20) {
-        Scene scene = hand_wall(6, 10, glm_rad(40));
-        hand_add(&scene, quad ? SHAPE_PLANE : SHAPE_BOX, vec3_make(0.8f, 0, 3), vec3_make(1, 1, 1),
-                 (float)turn);
+        Scene scene = closed_wall(6, 10, glm_rad(40));
+        closed_add(&scene, quad ? SHAPE_PLANE : SHAPE_BOX, vec3_make(0.8f, 0, 3), vec3_make(1, 1, 1),
+                   (float)turn);
         mat4s *placed = &scene.objects[1].world_from_object;
         *placed = glms_rotate(*placed, glm_rad(90), vec3_make(1, 0, 0));
         *placed = glms_scale(*placed, vec3_make(0.7f, 0.01f, 0.7f));
-        hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(6, 0, 10), vec3_make(0, 0, 0), 0, 10, 1, 20);
+        closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(6, 0, 10), vec3_make(0, 0, 0), 0, 10, 1, 20);
         Probe probe;
         ok = counting_begin(&probe, method, &scene);
         if (ok) {
@@ -153,35 +152,35 @@ static bool sweep_turns(const Counting *method, bool quad) {
     return ok;
 }
 
-static bool run_open(Bench *bench, Findings *findings) {
+static bool run_open(LabSet *labs, Findings *findings) {
     Figure *edges = findings_figure(findings, "The checker: a box with triangles left out",
                                     "triangles left out", "open edges"),
            *turns = findings_figure(findings, "A caster that is turned",
                                     "turn of the caster about the vertical (degrees)",
                                     "false light on the shadow (share)");
     return count_open_edges(figure_curve(edges, "counted by hand: 0, 3, 4, 7, 8", CURVE_EQUAL)) &&
-           sweep_turns(&(Counting){bench, findings,
+           sweep_turns(&(Counting){labs, findings,
                                    figure_curve(turns, "failure: one-sided quad", CURVE_EQUAL), NULL, Z_FAIL,
                                    0},
                        true) &&
-           sweep_turns(&(Counting){bench, findings, figure_curve(turns, "remedy: closed board", CURVE_EQUAL),
+           sweep_turns(&(Counting){labs, findings, figure_curve(turns, "remedy: closed board", CURVE_EQUAL),
                                    NULL, Z_FAIL, 1},
                        false);
 }
 
 // Boxes in a row over a floor, each with a side in whose plane the lamp lies but for a `step`.
 static Scene grazed_boxes(int step) {
-    Scene scene = hand_wall(6, 10, glm_rad(40));
+    Scene scene = closed_wall(6, 10, glm_rad(40));
     const vec3s lamp = vec3_make(0.3f, -5, 6);
     for (int i = 0; i < 7; i++) {
         float x = -2.4f + 0.8f * (float)i + 1e-6f * (float)step, along = atan2f(x - lamp.x, 5);
         vec3s side = vec3_make(cosf(along), -sinf(along), 0);
         vec3s center = glms_vec3_add(vec3_make(x, 0, 0.6f), glms_vec3_scale(side, 0.2f));
         mat4s placed = glms_rotate(glms_translate_make(center), -along, vec3_make(0, 0, 1));
-        hand_add(&scene, SHAPE_BOX, center, vec3_make(1, 1, 1), 0);
+        closed_add(&scene, SHAPE_BOX, center, vec3_make(1, 1, 1), 0);
         scene.objects[i + 1].world_from_object = glms_scale(placed, vec3_make(0.2f, 0.3f, 0.6f));
     }
-    hand_light(&scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0), glm_rad(90), 0, 1, 20);
+    closed_light(&scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0), glm_rad(90), 0, 1, 20);
     return scene;
 }
 
@@ -202,16 +201,16 @@ static bool sweep_grazing(const Counting *method) {
     return ok;
 }
 
-static bool run_silhouette(Bench *bench, Findings *findings) {
+static bool run_silhouette(LabSet *labs, Findings *findings) {
     Figure *figure = findings_figure(findings, "The sides of boxes move through the lamp's place",
                                      "step (millionths of a world unit)", "leaking pixels so far");
-    return sweep_grazing(&(Counting){bench, findings,
+    return sweep_grazing(&(Counting){labs, findings,
                                      figure_curve(figure, "failure: corners as they come", CURVE_RISING),
                                      &first_come, Z_FAIL, 0}) &&
-           sweep_grazing(&(Counting){bench, findings,
+           sweep_grazing(&(Counting){labs, findings,
                                      figure_curve(figure, "remedy: corners in one order", CURVE_EQUAL), NULL,
                                      Z_FAIL, 1}) &&
-           sweep_grazing(&(Counting){bench, findings,
+           sweep_grazing(&(Counting){labs, findings,
                                      figure_curve(figure, "remedy: sides found on the CPU", CURVE_EQUAL),
                                      NULL, Z_FAIL_CPU, 2});
 }

@@ -60,14 +60,15 @@ static double bias_tolerance(double slope, double expected, double world) {
     return 6 * float_step * world + expected / cbrt((double)SIDE * SIDE) + 0.05 * slope;
 }
 
-static bool add_near(Bench *bench, Findings *findings, Curve *curve, const Format *format,
+static bool add_near(LabSet *labs, Findings *findings, Curve *curve, const Format *format,
                      double near_plane) {
     const Scene scene = patch(near_plane);
-    double texel = 2 * distance * tan(hand_radians(fov) / 2) / MAP, slope = texel / 2 * tilted_slope(&scene);
+    double texel = 2 * distance * tan(closed_radians(fov) / 2) / MAP,
+           slope = texel / 2 * tilted_slope(&scene);
     double world = world_from_depth(near_plane), expected = slope + format->lost * world, bias;
     double tolerance = bias_tolerance(slope, expected, world);
     Probe probe;
-    bool ok = probe_begin(&probe, bench, "04", &scene, SIDE, SIDE);
+    bool ok = probe_begin(&probe, labs, "04", &scene, SIDE, SIDE);
     probe_knob(&probe, "method", CONSTANT);
     probe_knob(&probe, "map size", MAP);
     probe_knob(&probe, "depth format", format->bits);
@@ -76,15 +77,15 @@ static bool add_near(Bench *bench, Findings *findings, Curve *curve, const Forma
         curve_add(curve, near_plane, bias * world, expected, tolerance);
         probe_knob(&probe, "bias", slope / world);
         ok = probe_draw(&probe);
-        findings_frame(findings, 0, probe.measured.metrics.all.false_shadow, &probe.ground, &probe.measured,
-                       "%s, near plane at %g: the bias that is enough for the slope", format->name,
-                       near_plane);
+        findings_frame(findings, 0, probe.measured.metrics.all.false_shadow, &probe.truth_view,
+                       &probe.measured, "%s, near plane at %g: the bias that is enough for the slope",
+                       format->name, near_plane);
     }
     probe_end(&probe);
     return ok;
 }
 
-static bool run_depth_bits(Bench *bench, Findings *findings) {
+static bool run_depth_bits(LabSet *labs, Findings *findings) {
     static const double planes[] = {0.001, 0.003, 0.01, 0.03, 0.1, 1};
     Figure *figure = findings_figure(findings, "Bias that ends acne on a patch 5 from the light",
                                      "near plane (world units)", "bias (world units)");
@@ -93,7 +94,7 @@ static bool run_depth_bits(Bench *bench, Findings *findings) {
     for (int f = 0; ok && f < 3; f++) {
         Curve *curve = figure_curve(figure, formats[f].name, CURVE_EQUAL);
         for (int i = 0; ok && i < 6; i++)
-            ok = add_near(bench, findings, curve, &formats[f], planes[i]);
+            ok = add_near(labs, findings, curve, &formats[f], planes[i]);
     }
     Curve *power = figure_curve(figure, "16 bits, up to 0.03", CURVE_SLOPE);
     power->slope = -1;

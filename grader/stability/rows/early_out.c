@@ -9,11 +9,11 @@ static const double radius = 0.4, half_size = 4, height = 2.5;
 
 // A ball of radius b over a wall, under light from the left, 45 degrees aslant: its shadow is in the middle.
 static Scene ball(double b) {
-    Scene scene = hand_wall(6, 10, 2 * atanf(0.035F));
-    hand_add(&scene, SHAPE_SPHERE, vec3_make((float)-height, 0, (float)height),
-             vec3_make((float)b, (float)b, (float)b), 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-6, 0, 6), vec3_make(0, 0, 0), 0, (float)half_size, 1,
-               14);
+    Scene scene = closed_wall(6, 10, 2 * atanf(0.035F));
+    closed_add(&scene, SHAPE_SPHERE, vec3_make((float)-height, 0, (float)height),
+               vec3_make((float)b, (float)b, (float)b), 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-6, 0, 6), vec3_make(0, 0, 0), 0, (float)half_size, 1,
+                 14);
     return scene;
 }
 
@@ -31,8 +31,9 @@ static double overlap(double b, double d) {
 // The truth is that of the disc, not of a point.
 static void set_truth(Probe *probe, double b) {
     for (int i = 0; i < SIDE * SIDE; i++) {
-        vec3s p = probe->ground.picture.hits[i].position;
-        probe->ground.visibility[i] = (float)(1 - overlap(b / radius, hypot(p.x * M_SQRT1_2, p.y) / radius));
+        vec3s p = probe->truth_view.picture.hits[i].position;
+        probe->truth_view.visibility[i] =
+            (float)(1 - overlap(b / radius, hypot(p.x * M_SQRT1_2, p.y) / radius));
     }
 }
 
@@ -40,10 +41,10 @@ static void set_truth(Probe *probe, double b) {
 static double middle_error(const Probe *probe, double reach) {
     double sum = 0, count = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
-        vec3s p = probe->ground.picture.hits[i].position;
+        vec3s p = probe->truth_view.picture.hits[i].position;
         if (hypot(p.x * M_SQRT1_2, p.y) > reach)
             continue;
-        sum += probe->measured.visibility[i] - probe->ground.visibility[i];
+        sum += probe->measured.visibility[i] - probe->truth_view.visibility[i];
         count++;
     }
     return sum / count;
@@ -54,12 +55,12 @@ static bool draw(Probe *probe, Findings *findings, bool early_out, double b, dou
     bool ok = probe_draw(probe);
     *error = ok ? middle_error(probe, reach) : 0;
     if (ok)
-        findings_frame(findings, early_out ? 0 : 1, fabs(*error), &probe->ground, &probe->measured,
+        findings_frame(findings, early_out ? 0 : 1, fabs(*error), &probe->truth_view, &probe->measured,
                        "A ball of %.2f R, %s early-out", b / radius, early_out ? "with" : "without");
     return ok;
 }
 
-static bool run_early_out(Bench *bench, Findings *findings) {
+static bool run_early_out(LabSet *labs, Findings *findings) {
     const double texel = 2 * half_size / MAP;
     Figure *figure = findings_figure(findings, "In the middle of a ball's shadow", "radius of the ball (R)",
                                      "error of the visibility");
@@ -70,7 +71,7 @@ static bool run_early_out(Bench *bench, Findings *findings) {
         double b = 0.1 * i * radius, reach = i < 10 ? sqrt(0.75) * radius - b - texel : 0.02 * radius, error;
         const Scene scene = ball(b);
         Probe probe;
-        ok = probe_begin(&probe, bench, "06", &scene, SIDE, SIDE);
+        ok = probe_begin(&probe, labs, "06", &scene, SIDE, SIDE);
         if (ok)
             set_truth(&probe, b);
         probe_knob(&probe, "map size", MAP);

@@ -38,10 +38,10 @@ static const Change map_lookups = {.name = "lookups in the map",
 
 // So many boxes in one place, beside the picture; their shadow crosses it before the wall.
 static Scene boxes(int count) {
-    Scene scene = hand_wall(6, 10, glm_rad(40));
+    Scene scene = closed_wall(6, 10, glm_rad(40));
     for (int i = 0; i < count; i++)
-        hand_add(&scene, SHAPE_BOX, vec3_make(3, 0, 5), vec3_make(0.3f, 0.5f, 0.3f), 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(10, 0, 3), vec3_make(0, 0, 0), 0, half_map, 1, 40);
+        closed_add(&scene, SHAPE_BOX, vec3_make(3, 0, 5), vec3_make(0.3f, 0.5f, 0.3f), 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(10, 0, 3), vec3_make(0, 0, 0), 0, half_map, 1, 40);
     return scene;
 }
 
@@ -49,9 +49,9 @@ static bool count_fragments(const Probe *probe, double *fragments) {
     static Reply reply;
     Image image = {0};
     unsigned count = 0;
-    Artist *artist = bench_artist(probe->bench, probe->lab, probe->change);
-    const Request request = ground_request(&probe->ground, &probe->setting);
-    bool ok = artist && artist_draw(artist, &request, &image, &reply) &&
+    LabArtist *artist = lab_set_artist(probe->labs, probe->lab, probe->change);
+    const Request request = truth_view_request(&probe->truth_view, &probe->setting);
+    bool ok = artist && lab_artist_draw(artist, &request, &image, &reply) &&
               (sscanf(reply.message, "%u fragments", &count) == 1 ||
                check_fail("no fragments were counted: %s", reply.message));
     image_destroy(&image);
@@ -70,8 +70,8 @@ static bool meets_shadow(const Scene *caster, vec3s ray) {
 // Two faces for each pixel whose ray meets the shadow.
 static SightShare expect_volumes(const Probe *probe, int count) {
     static uint8_t flags[MOST_WIDTH * MOST_WIDTH];
-    Scene caster = sight_casters(&probe->ground.truth.scene);
-    MetricsSize size = probe->ground.size;
+    Scene caster = sight_casters(&probe->truth_view.truth.scene);
+    MetricsSize size = probe->truth_view.size;
     caster.object_count = 1;
     INVARIANT((size_t)(size.width * size.height) <= sizeof flags);
     for (int i = 0; i < size.width * size.height; i++) {
@@ -88,7 +88,7 @@ static SightShare expect_texels(const Probe *probe, int count) {
     const double x = 10 / sqrt(109), z = 3 / sqrt(109), texel = 2 * half_map / MAP, wall = 12 * z,
                  box = 4 * (0.3 * 0.5 * z + 0.5 * 0.3 * x), length = 2 * half_map,
                  outline = 2 * length + 4 * (0.3 * z + 0.3 * x + 0.5);
-    double pixels = probe->ground.size.width * probe->ground.size.height;
+    double pixels = probe->truth_view.size.width * probe->truth_view.size.height;
     (void)count;
     return (SightShare){(wall * length + box) / (texel * texel) / pixels, outline / 2 / texel / pixels};
 }
@@ -112,11 +112,11 @@ static const Fill fills[] = {{"fragments of volumes", "07", &volume_fragments, e
 enum { FILL_COUNT = sizeof fills / sizeof *fills };
 
 // Adds a point at x, in fragments a pixel, or in fragments for x = the picture's width.
-static bool add_point(Bench *bench, const Fill *fill, Curve *curve, int count, int width, bool by_width) {
+static bool add_point(LabSet *labs, const Fill *fill, Curve *curve, int count, int width, bool by_width) {
     const Scene scene = boxes(count);
     Probe probe;
     double fragments, pixels = (double)width * width;
-    bool ok = probe_begin(&probe, bench, fill->lab, &scene, width, width);
+    bool ok = probe_begin(&probe, labs, fill->lab, &scene, width, width);
     if (fill->lab[1] == '3')
         probe_knob(&probe, "map size", MAP);
     ok = ok && probe_draw(&probe);
@@ -132,7 +132,7 @@ static bool add_point(Bench *bench, const Fill *fill, Curve *curve, int count, i
     return ok;
 }
 
-static bool run_fill(Bench *bench, Findings *findings) {
+static bool run_fill(LabSet *labs, Findings *findings) {
     Figure *by_count = findings_figure(findings, "More volumes", "volumes", "fragments a pixel"),
            *by_width = findings_figure(findings, "A larger picture", "width (pixels)", "fragments");
     by_width->log_x = by_width->log_y = true;
@@ -142,9 +142,9 @@ static bool run_fill(Bench *bench, Findings *findings) {
         Curve *counts = figure_curve(by_count, fills[f].name, CURVE_EQUAL),
               *widths = figure_curve(by_width, fills[f].name, CURVE_EQUAL);
         for (size_t i = 0; ok && i < sizeof some / sizeof *some; i++)
-            ok = add_point(bench, &fills[f], counts, some[i], WIDTH, false);
+            ok = add_point(labs, &fills[f], counts, some[i], WIDTH, false);
         for (int width = LEAST_WIDTH; ok && width <= MOST_WIDTH; width *= 2)
-            ok = add_point(bench, &fills[f], widths, 4, width, true);
+            ok = add_point(labs, &fills[f], widths, 4, width, true);
     }
     return ok;
 }

@@ -8,24 +8,24 @@
 static const float half_size = 4;
 
 static Scene lit_wall(float width) {
-    Scene scene = hand_wall(6, 10, 2 * atanf(width / 20));
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-6, 0, 6), vec3_make(0, 0, 0), 0, half_size, 1, 14);
+    Scene scene = closed_wall(6, 10, 2 * atanf(width / 20));
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-6, 0, 6), vec3_make(0, 0, 0), 0, half_size, 1, 14);
     return scene;
 }
 
 // Integrals of the error and of its square across the edge, in texels, over the rows of the picture.
 static void integrate(const Probe *probe, double texel, double *error, double *square) {
-    const MetricsSize size = probe->ground.size;
+    const MetricsSize size = probe->truth_view.size;
     double step = probe_unit(probe) * M_SQRT1_2 / texel / size.height;
     *error = *square = 0;
     for (int i = 0; i < size.width * size.height; i++) {
-        double off = fabsf(probe->measured.visibility[i] - probe->ground.visibility[i]);
+        double off = fabsf(probe->measured.visibility[i] - probe->truth_view.visibility[i]);
         *error += off * step;
         *square += off * off * step;
     }
 }
 
-static bool run_box(Bench *bench, Findings *findings) {
+static bool run_box(LabSet *labs, Findings *findings) {
     enum { WIDTH = 800, ROWS = 8, MAP = 128, BOX = 4 };
     const double texel = 2 * half_size / MAP;
     Scene scene = lit_wall(4.0F * ROWS / WIDTH);
@@ -34,8 +34,8 @@ static bool run_box(Bench *bench, Findings *findings) {
     Curve *error = figure_curve(figure, "absolute error: w / 4", CURVE_EQUAL);
     Curve *square = figure_curve(figure, "squared error: w / 12", CURVE_EQUAL);
     Probe probe;
-    hand_add(&scene, SHAPE_BOX, vec3_make(-4, 0, 2), vec3_make(2, 3, 0.001F), 0);
-    bool ok = probe_begin(&probe, bench, "05", &scene, WIDTH, ROWS);
+    closed_add(&scene, SHAPE_BOX, vec3_make(-4, 0, 2), vec3_make(2, 3, 0.001F), 0);
+    bool ok = probe_begin(&probe, labs, "05", &scene, WIDTH, ROWS);
     probe_knob(&probe, "method", BOX);
     probe_knob(&probe, "map size", MAP);
     for (int k = 0; ok && k <= 8; k++) {
@@ -49,7 +49,7 @@ static bool run_box(Bench *bench, Findings *findings) {
         // over pixels errs by a part of one where the truth jumps.
         curve_add(error, w, linear, w / 4, w * 2 / 255 + pixel / 4);
         curve_add(square, w, squared, w / 12, w / 255 + pixel / 4);
-        findings_frame(findings, 0, w, &probe.ground, &probe.measured,
+        findings_frame(findings, 0, w, &probe.truth_view, &probe.measured,
                        "A box of %d x %d texels (%d rows are drawn)", (int)w, (int)w, ROWS);
     }
     probe_end(&probe);
@@ -67,14 +67,15 @@ static const double radius = 0.4; // of the disc, in the light's cross-section
 // The truth is that of the disc, not of a point: visibility at the height y above the edge.
 static void set_truth(Probe *probe) {
     for (int i = 0; i < PATTERN * RANDOM_HEIGHT; i++)
-        probe->ground.visibility[i] = (float)half_plane(probe->ground.picture.hits[i].position.y / radius);
+        probe->truth_view.visibility[i] =
+            (float)half_plane(probe->truth_view.picture.hits[i].position.y / radius);
 }
 
 // Root of the mean squared error over the penumbra, and what independent samples would make of it.
 static void noise(const Probe *probe, int samples, double *rms, double *independent) {
     double sum = 0, variance = 0, count = PATTERN * RANDOM_HEIGHT;
     for (int i = 0; i < PATTERN * RANDOM_HEIGHT; i++) {
-        double v = probe->ground.visibility[i], off = probe->measured.visibility[i] - v;
+        double v = probe->truth_view.visibility[i], off = probe->measured.visibility[i] - v;
         sum += off * off;
         variance += v * (1 - v);
     }
@@ -91,10 +92,10 @@ static const Change independent_samples = {
                "jitter.y + 0.5f + 0 * (float)row"}},
     .edit_count = 2};
 
-static bool begin_noise(Probe *probe, Bench *bench) {
+static bool begin_noise(Probe *probe, LabSet *labs) {
     Scene scene = lit_wall((float)(2.04 * radius));
-    hand_add(&scene, SHAPE_BOX, vec3_make(-3.6F, -2, 3), vec3_make(2.4F, 2, 0.01F), 0);
-    bool ok = probe_begin(probe, bench, "06", &scene, PATTERN, RANDOM_HEIGHT);
+    closed_add(&scene, SHAPE_BOX, vec3_make(-3.6F, -2, 3), vec3_make(2.4F, 2, 0.01F), 0);
+    bool ok = probe_begin(probe, labs, "06", &scene, PATTERN, RANDOM_HEIGHT);
     if (ok)
         set_truth(probe);
     probe_knob(probe, "map size", RANDOM_MAP);
@@ -109,11 +110,11 @@ static double rms_tolerance(void) {
     return 4 / sqrt(2.0 * PATTERN * PATTERN);
 }
 
-static bool sweep_samples(Bench *bench, Findings *findings, Curve *slope, Curve *level,
+static bool sweep_samples(LabSet *labs, Findings *findings, Curve *slope, Curve *level,
                           const Change *change) {
     static const int sides[] = {4, 6, 8, 12, 16};
     Probe probe;
-    bool ok = begin_noise(&probe, bench);
+    bool ok = begin_noise(&probe, labs);
     probe.change = change;
     for (int i = 0; ok && i < 5; i++) {
         double rms, independent;
@@ -126,14 +127,14 @@ static bool sweep_samples(Bench *bench, Findings *findings, Curve *slope, Curve 
         curve_add(slope, sides[i] * sides[i], rms, 0, 0);
         if (level)
             curve_add(level, sides[i] * sides[i], rms, independent, rms_tolerance() * independent);
-        findings_frame(findings, change ? 1 : 0, rms, &probe.ground, &probe.measured, "%d samples, %s",
+        findings_frame(findings, change ? 1 : 0, rms, &probe.truth_view, &probe.measured, "%d samples, %s",
                        sides[i] * sides[i], change ? "independent" : "one to a cell");
     }
     probe_end(&probe);
     return ok;
 }
 
-static bool run_random(Bench *bench, Findings *findings) {
+static bool run_random(LabSet *labs, Findings *findings) {
     Figure *figure =
         findings_figure(findings, "A penumbra", "samples a pixel", "RMS error of the visibility");
     Curve *jittered = figure_curve(figure, "one sample to a cell", CURVE_SLOPE);
@@ -143,8 +144,8 @@ static bool run_random(Bench *bench, Findings *findings) {
     jittered->slope = -0.75;
     independent->slope = -0.5;
     jittered->tolerance = independent->tolerance = 0.05;
-    return sweep_samples(bench, findings, jittered, NULL, NULL) &&
-           sweep_samples(bench, findings, independent, level, &independent_samples);
+    return sweep_samples(labs, findings, jittered, NULL, NULL) &&
+           sweep_samples(labs, findings, independent, level, &independent_samples);
 }
 
 const Row rows_filter[] = {

@@ -8,8 +8,9 @@ enum { SIDE = 200 };
 // A wall and light straight on. The map is 2 half_size wide, the picture shows just the wall.
 static Scene straight(float wall, float half_size, float far_plane) {
     const float distance = 20;
-    Scene scene = hand_wall(wall, distance, 2 * atanf(wall / distance));
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 8), vec3_make(0, 0, 0), 0, half_size, 1, far_plane);
+    Scene scene = closed_wall(wall, distance, 2 * atanf(wall / distance));
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 8), vec3_make(0, 0, 0), 0, half_size, 1,
+                 far_plane);
     return scene;
 }
 
@@ -25,7 +26,7 @@ static double repeated(double half, double period, double reach) {
 static double outside_shadow(const Probe *probe, double half_size) {
     double dark = 0, count = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
-        const TruthHit *hit = &probe->ground.picture.hits[i];
+        const TruthHit *hit = &probe->truth_view.picture.hits[i];
         if (hit->object != 0 || fmaxf(fabsf(hit->position.x), fabsf(hit->position.y)) < half_size)
             continue;
         dark += 1 - probe->measured.visibility[i];
@@ -34,17 +35,17 @@ static double outside_shadow(const Probe *probe, double half_size) {
     return dark / count;
 }
 
-static bool sweep_floor(Bench *bench, Findings *findings, Curve *curve, const char *mistake) {
+static bool sweep_floor(LabSet *labs, Findings *findings, Curve *curve, const char *mistake) {
     const double half = 1, caster = 0.4, texel = 2 * half / 256;
-    Artist *artist = bench_artist(bench, "03", NULL);
+    LabArtist *artist = lab_set_artist(labs, "03", NULL);
     const Change *change = artist && mistake ? rubric_mistake(&artist->rubric, mistake) : NULL;
     bool ok = artist && (change || !mistake);
     for (int i = 0; ok && i <= 6; i++) {
         double wall = half * (1.5 + 0.25 * i), unit = 2 * wall / SIDE;
         Scene scene = straight((float)wall, (float)half, 10);
-        hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 1), vec3_make((float)caster, (float)caster, 0.01F), 0);
+        closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 1), vec3_make((float)caster, (float)caster, 0.01F), 0);
         Probe probe;
-        ok = probe_begin(&probe, bench, "03", &scene, SIDE, SIDE);
+        ok = probe_begin(&probe, labs, "03", &scene, SIDE, SIDE);
         probe.change = change;
         probe_knob(&probe, "map size", 256);
         ok = ok && probe_draw(&probe);
@@ -54,7 +55,7 @@ static bool sweep_floor(Bench *bench, Findings *findings, Curve *curve, const ch
             curve_add(curve, wall / half, dark,
                       mistake ? (length * length - 4 * caster * caster) / outside : 0,
                       mistake ? ends / outside : 0);
-            findings_frame(findings, 0, dark, &probe.ground, &probe.measured,
+            findings_frame(findings, 0, dark, &probe.truth_view, &probe.measured,
                            "The wall is %.2f times as wide as the map", wall / half);
         }
         probe_end(&probe);
@@ -62,13 +63,13 @@ static bool sweep_floor(Bench *bench, Findings *findings, Curve *curve, const ch
     return ok;
 }
 
-static bool run_frame(Bench *bench, Findings *findings) {
+static bool run_frame(LabSet *labs, Findings *findings) {
     Figure *figure =
         findings_figure(findings, "Outside the map's frame", "width of the wall (widths of the map)",
                         "false shadow (share of what lies outside)");
-    return sweep_floor(bench, findings, figure_curve(figure, "failure: GL_REPEAT", CURVE_EQUAL),
+    return sweep_floor(labs, findings, figure_curve(figure, "failure: GL_REPEAT", CURVE_EQUAL),
                        "the map repeats outside its border") &&
-           sweep_floor(bench, findings, figure_curve(figure, "remedy: a border of depth 1", CURVE_EQUAL),
+           sweep_floor(labs, findings, figure_curve(figure, "remedy: a border of depth 1", CURVE_EQUAL),
                        NULL);
 }
 
@@ -116,7 +117,7 @@ static const Comparison guarded[] = {
      0},
 };
 
-static bool sweep_far(Bench *bench, Findings *findings, Figure *figure, const Comparison *comparison) {
+static bool sweep_far(LabSet *labs, Findings *findings, Figure *figure, const Comparison *comparison) {
     enum { LINEAR = 2 };
     static const double places[] = {0.8, 0.99, 1.01, 1.2, 2};
     Curve *curve = figure_curve(figure, comparison->name, CURVE_EQUAL);
@@ -124,14 +125,14 @@ static bool sweep_far(Bench *bench, Findings *findings, Figure *figure, const Co
     for (int i = 0; ok && i < 5; i++) {
         Scene scene = straight(1, 2, (float)(8 / places[i]));
         Probe probe;
-        ok = probe_begin(&probe, bench, "05", &scene, SIDE / 2, SIDE / 2);
+        ok = probe_begin(&probe, labs, "05", &scene, SIDE / 2, SIDE / 2);
         probe.change = comparison->change.name ? &comparison->change : NULL;
         probe_knob(&probe, "method", LINEAR);
         ok = ok && probe_draw(&probe);
         if (ok) {
             double dark = probe.measured.metrics.all.false_shadow;
             curve_add(curve, places[i], dark, places[i] > 1 ? comparison->beyond : 0, 0);
-            findings_frame(findings, 0, dark, &probe.ground, &probe.measured,
+            findings_frame(findings, 0, dark, &probe.truth_view, &probe.measured,
                            "%s, a wall at %.2f of the far plane", comparison->name, places[i]);
         }
         probe_end(&probe);
@@ -139,16 +140,16 @@ static bool sweep_far(Bench *bench, Findings *findings, Figure *figure, const Co
     return ok;
 }
 
-static bool run_far(Bench *bench, Findings *findings) {
+static bool run_far(LabSet *labs, Findings *findings) {
     Figure *without = findings_figure(findings, "No guard", "distance of the wall (far planes)",
                                       "false shadow (share of the wall)");
     Figure *with = findings_figure(findings, "Guard: depth > 1 is lit", "distance of the wall (far planes)",
                                    "false shadow (share of the wall)");
     bool ok = true;
     for (int i = 0; ok && i < 6; i++)
-        ok = sweep_far(bench, findings, without, &unguarded[i]);
+        ok = sweep_far(labs, findings, without, &unguarded[i]);
     for (int i = 0; ok && i < 3; i++)
-        ok = sweep_far(bench, findings, with, &guarded[i]);
+        ok = sweep_far(labs, findings, with, &guarded[i]);
     return ok;
 }
 
@@ -158,7 +159,7 @@ static const Change no_guard_behind = {
     .edit_count = 1};
 
 // A spot light over the wall that looks along it, to the right: the wall to its left is dark.
-static bool sweep_lamp(Bench *bench, Findings *findings, Curve *curve, const Change *change) {
+static bool sweep_lamp(LabSet *labs, Findings *findings, Curve *curve, const Change *change) {
     const float wall = 4;
     bool ok = true;
     for (int i = 0; ok && i <= 6; i++) {
@@ -172,7 +173,7 @@ static bool sweep_lamp(Bench *bench, Findings *findings, Curve *curve, const Cha
                                   .near_plane = 0.2F,
                                   .far_plane = 20};
         Probe probe;
-        ok = probe_begin(&probe, bench, "03", &scene, SIDE, SIDE);
+        ok = probe_begin(&probe, labs, "03", &scene, SIDE, SIDE);
         probe.change = change;
         ok = ok && probe_draw(&probe);
         if (ok) {
@@ -180,7 +181,7 @@ static bool sweep_lamp(Bench *bench, Findings *findings, Curve *curve, const Cha
                    dark = probe.measured.metrics.all.false_shadow;
             double behind = (x + wall) / (2 * wall);
             curve_add(curve, behind, light + dark, change ? behind : 0, change ? 1.0 / SIDE : 0);
-            findings_frame(findings, 0, light, &probe.ground, &probe.measured,
+            findings_frame(findings, 0, light, &probe.truth_view, &probe.measured,
                            "A lamp over the wall looks to the right, %.0f %% of the wall behind it",
                            100 * behind);
         }
@@ -189,12 +190,12 @@ static bool sweep_lamp(Bench *bench, Findings *findings, Curve *curve, const Cha
     return ok;
 }
 
-static bool run_behind(Bench *bench, Findings *findings) {
+static bool run_behind(LabSet *labs, Findings *findings) {
     Figure *figure = findings_figure(findings, "A wall that reaches behind the lamp",
                                      "wall behind it (share)", "error (share of the wall)");
-    return sweep_lamp(bench, findings, figure_curve(figure, "failure: no test of w", CURVE_EQUAL),
+    return sweep_lamp(labs, findings, figure_curve(figure, "failure: no test of w", CURVE_EQUAL),
                       &no_guard_behind) &&
-           sweep_lamp(bench, findings, figure_curve(figure, "remedy: dark where w <= 0", CURVE_EQUAL), NULL);
+           sweep_lamp(labs, findings, figure_curve(figure, "remedy: dark where w <= 0", CURVE_EQUAL), NULL);
 }
 
 const Row rows_frame[] = {

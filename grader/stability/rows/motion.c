@@ -16,27 +16,27 @@ static const double texel = 1.0 / 16, length = 7;
 
 // The map moves up by `shift` with its light. The board is out of sight behind the camera.
 static Scene edge_scene(double shift) {
-    Scene scene = hand_wall(6, 10, 2 * atanf(0.05f));
+    Scene scene = closed_wall(6, 10, 2 * atanf(0.05f));
     const float turn = atanf(1.0f / RISE);
-    hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 12), vec3_make(1, 1, 1), 0);
+    closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 12), vec3_make(1, 1, 1), 0);
     mat4s placed = glms_rotate(scene.objects[1].world_from_object, turn, vec3_make(0, 0, 1));
     scene.objects[1].world_from_object =
         glms_scale(glms_translate(placed, vec3_make(0, -3, 0)), vec3_make(6, 3, 0.1f));
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, (float)shift, 20), vec3_make(0, (float)shift, 0), 0,
-               (float)(MAP * texel / 2), 1, 30);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, (float)shift, 20), vec3_make(0, (float)shift, 0), 0,
+                 (float)(MAP * texel / 2), 1, 30);
     return scene;
 }
 
 // Draws into `visibility`.
-static bool draw(Bench *bench, Findings *findings, double shift, double flips, float *visibility) {
+static bool draw(LabSet *labs, Findings *findings, double shift, double flips, float *visibility) {
     const Scene scene = edge_scene(shift);
     Probe probe;
-    bool ok = probe_begin(&probe, bench, "03", &scene, WIDTH, HEIGHT);
+    bool ok = probe_begin(&probe, labs, "03", &scene, WIDTH, HEIGHT);
     probe_knob(&probe, "map size", MAP);
     ok = ok && probe_draw(&probe);
     if (ok) {
         memcpy(visibility, probe.measured.visibility, sizeof(float) * WIDTH * HEIGHT);
-        findings_frame(findings, 0, flips, &probe.ground, &probe.measured,
+        findings_frame(findings, 0, flips, &probe.truth_view, &probe.measured,
                        "An edge with the map's grid moved by %g texels", shift / texel);
     }
     probe_end(&probe);
@@ -53,28 +53,28 @@ static double flipped(const float *before, const float *after) {
 
 // `step`: of the light, texels. `snapped`: it moves by whole texels only. One column of texels may be off by
 // a texel.
-static bool sweep(Bench *bench, Findings *findings, Curve *curve, float *visibility, double step,
+static bool sweep(LabSet *labs, Findings *findings, Curve *curve, float *visibility, double step,
                   bool snapped) {
     float *still = visibility, *moving = visibility + WIDTH * HEIGHT;
-    bool ok = draw(bench, findings, 0, 0, still);
+    bool ok = draw(labs, findings, 0, 0, still);
     for (int i = 0; ok && i <= TEXEL; i++) {
         double d = step * i, flips = snapped ? 0 : 2 * d * (1 - d);
-        ok = draw(bench, findings, (snapped ? round(d) : d) * texel, flips, moving);
+        ok = draw(labs, findings, (snapped ? round(d) : d) * texel, flips, moving);
         if (ok)
             curve_add(curve, d, flipped(still, moving) / texel, flips, 1.0 / COLUMNS);
     }
     return ok;
 }
 
-static bool run_motion(Bench *bench, Findings *findings) {
+static bool run_motion(LabSet *labs, Findings *findings) {
     Figure *figure = findings_figure(findings, "The map's grid moves", "shift of the light (texels)",
                                      "flipped area per length of the edge (texels)");
     Curve *moved = figure_curve(figure, "failure: any shift", CURVE_EQUAL),
           *snapped = figure_curve(figure, "remedy: whole texels", CURVE_EQUAL);
     float *visibility = calloc(2 * WIDTH * HEIGHT, sizeof *visibility);
     bool ok = (visibility || check_fail("out of memory for two frames")) &&
-              sweep(bench, findings, moved, visibility, 1.0 / TEXEL, false) &&
-              sweep(bench, findings, snapped, visibility, 0.7, true);
+              sweep(labs, findings, moved, visibility, 1.0 / TEXEL, false) &&
+              sweep(labs, findings, snapped, visibility, 0.7, true);
     free(visibility);
     return ok;
 }

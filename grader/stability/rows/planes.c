@@ -27,9 +27,9 @@ static bool add_point(const Counting *method, const Scene *scene, double x, doub
 
 // A wall under parallel light with a box before it.
 static Scene wall_and_box(vec3s to_light, vec3s center, vec3s half_size) {
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_BOX, center, half_size, 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, to_light, vec3_make(0, 0, 0), 0, 10, 1, 20);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_BOX, center, half_size, 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, to_light, vec3_make(0, 0, 0), 0, 10, 1, 20);
     return scene;
 }
 
@@ -46,12 +46,12 @@ static bool sweep_eye(const Counting *method) {
     return ok;
 }
 
-static bool run_eye(Bench *bench, Findings *findings) {
+static bool run_eye(LabSet *labs, Findings *findings) {
     Figure *figure = findings_figure(findings, "The eye goes through a shadow, from -0.5 to 0.5",
                                      "place of the eye (world units)", "wrong pixels (share)");
-    return sweep_eye(&(Counting){bench, findings, figure_curve(figure, "failure: z-pass", CURVE_EQUAL), NULL,
+    return sweep_eye(&(Counting){labs, findings, figure_curve(figure, "failure: z-pass", CURVE_EQUAL), NULL,
                                  Z_PASS, 0}) &&
-           sweep_eye(&(Counting){bench, findings, figure_curve(figure, "remedy: z-fail", CURVE_EQUAL), NULL,
+           sweep_eye(&(Counting){labs, findings, figure_curve(figure, "remedy: z-fail", CURVE_EQUAL), NULL,
                                  Z_FAIL, 1});
 }
 
@@ -66,12 +66,12 @@ static bool sweep_near(const Counting *method) {
     return ok;
 }
 
-static bool run_near(Bench *bench, Findings *findings) {
+static bool run_near(LabSet *labs, Findings *findings) {
     Figure *figure = findings_figure(findings, "The near plane goes through a shadow before the wall",
                                      "distance of the near plane (world units)", "wrong pixels (share)");
-    return sweep_near(&(Counting){bench, findings, figure_curve(figure, "failure: z-pass", CURVE_EQUAL), NULL,
+    return sweep_near(&(Counting){labs, findings, figure_curve(figure, "failure: z-pass", CURVE_EQUAL), NULL,
                                   Z_PASS, 0}) &&
-           sweep_near(&(Counting){bench, findings, figure_curve(figure, "remedy: z-fail", CURVE_EQUAL), NULL,
+           sweep_near(&(Counting){labs, findings, figure_curve(figure, "remedy: z-fail", CURVE_EQUAL), NULL,
                                   Z_FAIL, 1});
 }
 
@@ -87,7 +87,7 @@ static bool sweep_far(const Counting *method, bool cut) {
     return ok;
 }
 
-static bool run_far(Bench *bench, Findings *findings) {
+static bool run_far(LabSet *labs, Findings *findings) {
     Figure *figure =
         findings_figure(findings, "Z-fail with the far plane behind the wall",
                         "distance of the far plane from the wall (world units)", "wrong pixels (share)");
@@ -95,19 +95,19 @@ static bool run_far(Bench *bench, Findings *findings) {
     Curve *finite = figure_curve(figure, "failure: finite far plane", CURVE_EQUAL),
           *infinite = figure_curve(figure, "remedy: infinite projection", CURVE_EQUAL),
           *clamped = figure_curve(figure, "remedy: GL_DEPTH_CLAMP", CURVE_EQUAL);
-    Artist *artist = bench_artist(bench, "07", NULL);
+    LabArtist *artist = lab_set_artist(labs, "07", NULL);
     const Change *clamp =
         artist ? rubric_alternative(&artist->rubric, "a finite far plane with GL_DEPTH_CLAMP") : NULL;
-    return clamp && sweep_far(&(Counting){bench, findings, finite, &finite_far_plane, Z_FAIL, 0}, true) &&
-           sweep_far(&(Counting){bench, findings, infinite, NULL, Z_FAIL, 1}, false) &&
-           sweep_far(&(Counting){bench, findings, clamped, clamp, Z_FAIL, 2}, false);
+    return clamp && sweep_far(&(Counting){labs, findings, finite, &finite_far_plane, Z_FAIL, 0}, true) &&
+           sweep_far(&(Counting){labs, findings, infinite, NULL, Z_FAIL, 1}, false) &&
+           sweep_far(&(Counting){labs, findings, clamped, clamp, Z_FAIL, 2}, false);
 }
 
 // Looks at the sky alone, where no shadow can fall: all counts must be 0.
 static void mask_sky(Probe *probe) {
     for (int i = 0; i < SIZE * SIZE; i++)
-        probe->measured.mask[i] = probe->ground.picture.hits[i].object == TRUTH_NONE &&
-                                  probe->ground.drawn[i] == METRICS_NO_PRIMITIVE;
+        probe->measured.mask[i] = probe->truth_view.picture.hits[i].object == TRUTH_NONE &&
+                                  probe->truth_view.drawn[i] == METRICS_NO_PRIMITIVE;
 }
 
 static double counted_sky(const Probe *probe) {
@@ -126,13 +126,13 @@ static bool sweep_sky(const Counting *method, bool capped) {
     bool ok = true;
     for (int i = 1; ok && i <= 10; i++) {
         float side = 0.06f * (float)i;
-        Scene scene = hand_wall(6, 10, glm_rad(40));
+        Scene scene = closed_wall(6, 10, glm_rad(40));
         scene.object_count = 0;
-        hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 2), vec3_make(side, side, 0.05f), 0);
-        hand_light(&scene, LIGHT_SPOT, vec3_make(0.1f, 0, 4), vec3_make(0, 0, 0), glm_rad(90), 0, 1, 20);
+        closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 2), vec3_make(side, side, 0.05f), 0);
+        closed_light(&scene, LIGHT_SPOT, vec3_make(0.1f, 0, 4), vec3_make(0, 0, 0), glm_rad(90), 0, 1, 20);
         Probe probe;
         SightShare share = {0};
-        ok = probe_begin(&probe, method->bench, "07", &scene, SIZE, SIZE);
+        ok = probe_begin(&probe, method->labs, "07", &scene, SIZE, SIZE);
         probe.change = method->change;
         probe.setting.view = "stencil counts";
         probe_knob(&probe, "method", Z_FAIL);
@@ -142,7 +142,7 @@ static bool sweep_sky(const Counting *method, bool capped) {
             ok = sight_share_at(&probe, INFINITY, &share);
             curve_add(method->curve, 2 * side, counted_sky(&probe), capped ? share.share : 0,
                       capped ? share.tolerance : 0);
-            findings_frame(method->findings, method->slot, side, &probe.ground, &probe.measured,
+            findings_frame(method->findings, method->slot, side, &probe.truth_view, &probe.measured,
                            "Counts with a plate %g wide: %s", 2 * side, method->curve->name);
         }
         probe_end(&probe);
@@ -150,16 +150,16 @@ static bool sweep_sky(const Counting *method, bool capped) {
     return ok;
 }
 
-static bool run_sky(Bench *bench, Findings *findings) {
+static bool run_sky(LabSet *labs, Findings *findings) {
     Figure *figure = findings_figure(findings, "Z-fail before an open sky",
                                      "width of the plate (world units)", "sky with a count (share)");
     Curve *less = figure_curve(figure, "failure: GL_LESS", CURVE_EQUAL),
           *equal = figure_curve(figure, "remedy: GL_LEQUAL", CURVE_EQUAL);
-    Artist *artist = bench_artist(bench, "07", NULL);
+    LabArtist *artist = lab_set_artist(labs, "07", NULL);
     const Change *mistake =
         artist ? rubric_mistake(&artist->rubric, "z-fail keeps the depth function GL_LESS") : NULL;
-    return mistake && sweep_sky(&(Counting){bench, findings, less, mistake, Z_FAIL, 0}, true) &&
-           sweep_sky(&(Counting){bench, findings, equal, NULL, Z_FAIL, 1}, false);
+    return mistake && sweep_sky(&(Counting){labs, findings, less, mistake, Z_FAIL, 0}, true) &&
+           sweep_sky(&(Counting){labs, findings, equal, NULL, Z_FAIL, 1}, false);
 }
 
 #define SIGHT "closed form: rays against the caster from each pixel's point on the plane"

@@ -25,28 +25,28 @@ static double tolerance_of(double texels, double pixels) {
 // Pixels that say something else than the truth, in a row of the picture.
 static double wrong_pixels(const Probe *probe, int row) {
     double wrong = 0;
-    int width = probe->ground.size.width;
+    int width = probe->truth_view.size.width;
     for (int i = row * width; i < (row + 1) * width; i++)
         if (probe->measured.mask[i])
-            wrong += fabsf(probe->measured.visibility[i] - probe->ground.visibility[i]);
+            wrong += fabsf(probe->measured.visibility[i] - probe->truth_view.visibility[i]);
     return wrong;
 }
 
 // A plate high over a long floor (the wall z = 0), its edge going away from the camera's foot at the angle
 // phi; light from above. The edge falls anywhere among the pixels, and anywhere among the texels.
 static Scene long_floor(double phi, Random *random, float half_size, float eye_height) {
-    Scene scene = hand_wall(half_size, 1, glm_rad(60));
+    Scene scene = closed_wall(half_size, 1, glm_rad(60));
     vec3s foot = vec3_make(random_range(random, -0.1F, 0.1F), -half_size, 6);
     mat4s turned = glms_rotate(glms_translate_make(foot), -(float)phi, vec3_make(0, 0, 1));
     vec3s above = vec3_make(random_range(random, -0.1F, 0.1F), random_range(random, -0.1F, 0.1F), 9);
-    hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 0), vec3_make(10, 80, 0.01F), 0);
+    closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 0), vec3_make(10, 80, 0.01F), 0);
     scene.objects[1].world_from_object =
         glms_mat4_mul(glms_translate(turned, vec3_make(-10, 0, 0)), scene.objects[1].world_from_object);
     scene.camera.eye = vec3_make(0, -half_size, eye_height);
     scene.camera.target = vec3_make(0, 0, eye_height - half_size * 0.35F);
     scene.camera.near_plane = 0.1F;
     scene.camera.far_plane = 3 * half_size;
-    hand_light(&scene, LIGHT_DIRECTIONAL, above, vec3_make(above.x, above.y, 0), 0, half_size, 1, 12);
+    closed_light(&scene, LIGHT_DIRECTIONAL, above, vec3_make(above.x, above.y, 0), 0, half_size, 1, 12);
     return scene;
 }
 
@@ -56,7 +56,7 @@ typedef struct Bin {
 
 // Depth of a point before the camera.
 static double view_depth(const Probe *probe, vec3s position) {
-    const Camera *camera = &probe->ground.truth.scene.camera;
+    const Camera *camera = &probe->truth_view.truth.scene.camera;
     vec3s forward = glms_vec3_normalize(glms_vec3_sub(camera->target, camera->eye));
     return glms_vec3_dot(forward, glms_vec3_sub(position, camera->eye));
 }
@@ -64,10 +64,10 @@ static double view_depth(const Probe *probe, vec3s position) {
 // Adds the picture's rows, each of which shows one depth of the floor, to bins of an octave each from
 // `nearest` on.
 static void add_rows(const Probe *probe, double nearest, double width, Bin *bins) {
-    const MetricsSize size = probe->ground.size;
-    const TruthHit *hits = probe->ground.picture.hits;
+    const MetricsSize size = probe->truth_view.size;
+    const TruthHit *hits = probe->truth_view.picture.hits;
     double per_depth =
-        2 * tan(0.5 * probe->ground.truth.scene.camera.fov_y) / size.height; // of a pixel's width
+        2 * tan(0.5 * probe->truth_view.truth.scene.camera.fov_y) / size.height; // of a pixel's width
     for (int row = 1; row < size.height; row++) {
         const TruthHit *hit = &hits[row * size.width + size.width / 2], *above = hit - size.width;
         if (hit->object != 0 || above->object != 0)
@@ -105,9 +105,9 @@ static void add_slope(Figure *figure, const Curve *points, const char *name, dou
     curve->count = points->count;
 }
 
-static bool run_perspective(Bench *bench, Findings *findings) {
+static bool run_perspective(LabSet *labs, Findings *findings) {
     enum { WIDTH = 160, HEIGHT = 600, MAP = 1024 };
-    const double phi = hand_radians(5), texel = 2.0 * 24 / MAP, cosine = cos(phi), sine = sin(phi);
+    const double phi = closed_radians(5), texel = 2.0 * 24 / MAP, cosine = cos(phi), sine = sin(phi);
     const double width = texel * edge_error(cosine, sine) / cosine;
     Figure *figure = findings_figure(findings, "An edge along a long floor",
                                      "distance from the camera (world units)", "error of the edge (pixels)");
@@ -119,14 +119,14 @@ static bool run_perspective(Bench *bench, Findings *findings) {
     for (int i = 0; ok && i < FLOORS; i++) {
         const Scene scene = long_floor(phi, &random, 24, 2);
         Probe probe;
-        ok = probe_begin(&probe, bench, "03", &scene, WIDTH, HEIGHT);
+        ok = probe_begin(&probe, labs, "03", &scene, WIDTH, HEIGHT);
         probe_knob(&probe, "map size", MAP);
         ok = ok && probe_draw(&probe);
         if (ok)
             add_rows(&probe, 2.5, width, bins);
         if (ok && i == 0)
             findings_frame(
-                findings, 0, 1, &probe.ground, &probe.measured,
+                findings, 0, 1, &probe.truth_view, &probe.measured,
                 "A long floor with one edge: the texels are as large everywhere, the pixels are not");
         probe_end(&probe);
     }
@@ -164,10 +164,11 @@ static void add_outline(Disc *disc, double a, double b) {
 // Light 45 degrees aslant, so that the sphere does not hide its shadow.
 static Disc sun_disc(Random *random) {
     const float radius = 0.8F, half_size = 4;
-    Disc disc = {.scene = hand_wall(6, 10, 2 * atanf(0.16F)), .half_side = half_size, .stretch = M_SQRT2};
+    Disc disc = {.scene = closed_wall(6, 10, 2 * atanf(0.16F)), .half_side = half_size, .stretch = M_SQRT2};
     vec3s center = vec3_make(random_range(random, -2.6F, -2.4F), random_range(random, -0.1F, 0.1F), 2.5F);
-    hand_add(&disc.scene, SHAPE_SPHERE, center, vec3_make(radius, radius, radius), 0);
-    hand_light(&disc.scene, LIGHT_DIRECTIONAL, vec3_make(-6, 0, 6), vec3_make(0, 0, 0), 0, half_size, 1, 14);
+    closed_add(&disc.scene, SHAPE_SPHERE, center, vec3_make(radius, radius, radius), 0);
+    closed_light(&disc.scene, LIGHT_DIRECTIONAL, vec3_make(-6, 0, 6), vec3_make(0, 0, 0), 0, half_size, 1,
+                 14);
     add_outline(&disc, radius, radius);
     return disc;
 }
@@ -178,11 +179,11 @@ static Disc sun_disc(Random *random) {
 static Disc lamp_disc(Random *random) {
     const float radius = 0.5F, height = 4, fov_y = glm_rad(104);
     Disc disc = {
-        .scene = hand_wall(6, 10, 2 * atanf(0.18F)), .half_side = height * tan(0.5 * fov_y), .stretch = 1};
+        .scene = closed_wall(6, 10, 2 * atanf(0.18F)), .half_side = height * tan(0.5 * fov_y), .stretch = 1};
     const vec3s light = vec3_make(-3.85F, 0, height);
     vec3s center = vec3_make(random_range(random, -2.05F, -1.85F), random_range(random, -0.1F, 0.1F), 1.6F);
-    hand_add(&disc.scene, SHAPE_SPHERE, center, vec3_make(radius, radius, radius), 0);
-    hand_light(&disc.scene, LIGHT_SPOT, light, vec3_make(light.x, light.y, 0), fov_y, 0, 1, 8);
+    closed_add(&disc.scene, SHAPE_SPHERE, center, vec3_make(radius, radius, radius), 0);
+    closed_light(&disc.scene, LIGHT_SPOT, light, vec3_make(light.x, light.y, 0), fov_y, 0, 1, 8);
     double d = glms_vec3_distance(light, center), sine = radius / d, cosine = (height - center.z) / d;
     double q = cosine * cosine - sine * sine;
     add_outline(&disc, height * sine * sqrt(1 - sine * sine) / q, height * sine / sqrt(q));
@@ -197,16 +198,16 @@ static bool add_sizes(Probe *probe, Findings *findings, int slot, double wrong[S
         if (!probe_draw(probe))
             return false;
         double area = 0;
-        for (int row = 0; row < probe->ground.size.height; row++)
+        for (int row = 0; row < probe->truth_view.size.height; row++)
             area += wrong_pixels(probe, row) * unit * unit;
         wrong[i] += area;
-        findings_frame(findings, slot, area, &probe->ground, &probe->measured,
+        findings_frame(findings, slot, area, &probe->truth_view, &probe->measured,
                        "A sphere's shadow, map of %d texels", 128 << i);
     }
     return true;
 }
 
-static bool sweep_sizes(Bench *bench, Findings *findings, Curve *curve, Disc (*make)(Random *random),
+static bool sweep_sizes(LabSet *labs, Findings *findings, Curve *curve, Disc (*make)(Random *random),
                         int slot) {
     enum { SIDE = 400 };
     Random random = {SEED};
@@ -216,7 +217,7 @@ static bool sweep_sizes(Bench *bench, Findings *findings, Curve *curve, Disc (*m
     for (int i = 0; ok && i < PLACES; i++) {
         Probe probe;
         disc = make(&random);
-        ok = probe_begin(&probe, bench, "03", &disc.scene, SIDE, SIDE);
+        ok = probe_begin(&probe, labs, "03", &disc.scene, SIDE, SIDE);
         probe.setting.object = 0; // the wall alone
         ok = ok && add_sizes(&probe, findings, slot, wrong);
         unit = ok ? probe_unit(&probe) : 1;
@@ -232,14 +233,14 @@ static bool sweep_sizes(Bench *bench, Findings *findings, Curve *curve, Disc (*m
     return ok;
 }
 
-static bool run_resolution(Bench *bench, Findings *findings) {
+static bool run_resolution(LabSet *labs, Findings *findings) {
     Figure *figure = findings_figure(findings, "A disc's outline", "map size (texels)",
                                      "wrong area per length of the outline (world units)");
     Curve *sun = figure_curve(figure, "directional light", CURVE_EQUAL);
     Curve *lamp = figure_curve(figure, "spot light", CURVE_EQUAL);
     figure->log_x = figure->log_y = true;
     bool ok =
-        sweep_sizes(bench, findings, sun, sun_disc, 0) && sweep_sizes(bench, findings, lamp, lamp_disc, 1);
+        sweep_sizes(labs, findings, sun, sun_disc, 0) && sweep_sizes(labs, findings, lamp, lamp_disc, 1);
     if (ok)
         add_slope(figure, sun, "power law", -1);
     return ok;

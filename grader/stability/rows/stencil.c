@@ -46,11 +46,11 @@ static const Change saturating = {
 
 // Two plates under slanting light: the shadow of the nearer one crosses the way to that of the other.
 static Scene two_plates(int copies, int order) {
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_BOX, vec3_make(1.8f, 0, 1.2f), vec3_make(0.4f, 1.2f, 0.05f), 0);
-    hand_add(&scene, SHAPE_BOX, vec3_make(2.6f, 0, 4.2f), vec3_make(0.4f, 0.5f, 0.05f), 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(10, 0, 6), vec3_make(0, 0, 0), 0, 10, (float)copies,
-               (float)order);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_BOX, vec3_make(1.8f, 0, 1.2f), vec3_make(0.4f, 1.2f, 0.05f), 0);
+    closed_add(&scene, SHAPE_BOX, vec3_make(2.6f, 0, 4.2f), vec3_make(0.4f, 0.5f, 0.05f), 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(10, 0, 6), vec3_make(0, 0, 0), 0, 10, (float)copies,
+                 (float)order);
     return scene;
 }
 
@@ -60,10 +60,10 @@ typedef struct Way {
 } Way;
 
 static void find_ways(const Probe *probe, Way *ways) {
-    Scene both = sight_casters(&probe->ground.truth.scene), one = both;
+    Scene both = sight_casters(&probe->truth_view.truth.scene), one = both;
     one.object_count = 1;
     for (int i = 0; i < SIZE * SIZE; i++) {
-        const TruthHit *hit = &probe->ground.picture.hits[i];
+        const TruthHit *hit = &probe->truth_view.picture.hits[i];
         ways[i] = (Way){0};
         for (int caster = 0; hit->object == 0 && caster < 2; caster++) {
             one.objects[0] = both.objects[caster];
@@ -104,7 +104,7 @@ static bool sweep_copies(const Counting *method, const Way *ways, int order, Cou
     for (int copies = 250; ok && copies <= 260; copies++) {
         const Scene scene = two_plates(copies, order);
         Probe probe;
-        ok = probe_begin(&probe, method->bench, "07", &scene, SIZE, SIZE);
+        ok = probe_begin(&probe, method->labs, "07", &scene, SIZE, SIZE);
         probe.change = method->change;
         probe.setting.object = 0;
         probe_knob(&probe, "method", Z_PASS);
@@ -116,7 +116,7 @@ static bool sweep_copies(const Counting *method, const Way *ways, int order, Cou
     return ok;
 }
 
-static bool run_stencil(Bench *bench, Findings *findings) {
+static bool run_stencil(LabSet *labs, Findings *findings) {
     static const char *const orders[ORDERS] = {"as they come", "front faces first", "back faces first"};
     static Way ways[SIZE * SIZE];
     Figure *wraps =
@@ -125,16 +125,16 @@ static bool run_stencil(Bench *bench, Findings *findings) {
                                     "wrong pixels (share)");
     const Scene scene = two_plates(1, 0);
     Probe probe;
-    bool ok = probe_begin(&probe, bench, "07", &scene, SIZE, SIZE);
+    bool ok = probe_begin(&probe, labs, "07", &scene, SIZE, SIZE);
     if (ok)
         find_ways(&probe, ways);
     probe_end(&probe);
     for (int order = 0; ok && order < ORDERS; order++)
-        ok = sweep_copies(&(Counting){bench, findings, figure_curve(wraps, orders[order], CURVE_EQUAL),
+        ok = sweep_copies(&(Counting){labs, findings, figure_curve(wraps, orders[order], CURVE_EQUAL),
                                       &wrapping, Z_PASS, 0},
                           ways, order, wrapped);
     for (int order = 1; ok && order < ORDERS; order++)
-        ok = sweep_copies(&(Counting){bench, findings, figure_curve(stops, orders[order], CURVE_EQUAL),
+        ok = sweep_copies(&(Counting){labs, findings, figure_curve(stops, orders[order], CURVE_EQUAL),
                                       &saturating, Z_PASS, order},
                           ways, order, saturated);
     return ok;

@@ -77,7 +77,7 @@ static void test_shows_too_much(void **route) {
 
 static void use_shim(const char *name) {
     char from[FILES_PATH], to[FILES_PATH], command[3 * FILES_PATH];
-    home_build_path(from, name);
+    places_build_path(from, name);
     jail_part(&jail, "jail_shim", to);
     snprintf(command, sizeof command, "cp '%s' '%s'", from, to);
     assert_int_equal(system(command), 0);
@@ -239,7 +239,7 @@ static void test_refuses_archives(void **route) {
 static int make_archives(void **unused) {
     char script[FILES_PATH], command[3 * FILES_PATH];
     (void)unused;
-    home_path(script, "grader/tests/helpers/archives.py");
+    places_path(script, "grader/tests/helpers/archives.py");
     if (!files_make_temporary(archives))
         return -1;
     files_join(opened, archives, "opened");

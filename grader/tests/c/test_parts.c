@@ -189,7 +189,7 @@ static bool compiles(const char *folder, const char *text) {
     static char log[COMPILE_LOG], path[FILES_PATH];
     files_join(path, folder, "lab.c");
     assert_true(files_write(path, text));
-    return compile_lab(folder, NULL, log);
+    return compiler_build(folder, NULL, log);
 }
 
 // The flags of the precompiled header are those that labs are compiled with: else gcc reads given.h itself.

@@ -101,20 +101,20 @@ static void test_edge_error(void **unused) {
 // A wall seen straight on, its light square to it: the map's side of 2 * 3 units covers 6 / unit pixels.
 static void test_map_side(void **unused) {
     (void)unused;
-    Artist artist;
-    Ground ground;
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_BOX, vec3_make(-0.6f, 0, 3), vec3_make(0.5f, 0.5f, 0.1f), 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 8), vec3_make(0, 0, 0), 0, 3, 1, 10);
+    LabArtist artist;
+    TruthView truth_view;
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_BOX, vec3_make(-0.6f, 0, 3), vec3_make(0.5f, 0.5f, 0.1f), 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 8), vec3_make(0, 0, 0), 0, 3, 1, 10);
     const TruthQuery query = {.kind = TRUTH_LIGHT};
-    if (!artist_open(&artist, "03") ||
-        !ground_create(&ground, &scene, (MetricsSize){200, 160}, &query, &artist))
+    if (!lab_artist_open(&artist, "03") ||
+        !truth_view_create(&truth_view, &scene, (MetricsSize){200, 160}, &query, &artist))
         fail_msg("%s", check_message());
-    double side = edge_map_side(&ground), expected = 6 / hand_unit(&scene, 160);
+    double side = edge_map_side(&truth_view), expected = 6 / closed_unit(&scene, 160);
     print_message("side of the map: %.2f pixels, expected %.2f\n", side, expected);
     assert_true(fabs(side / expected - 1) < 0.005);
-    ground_destroy(&ground);
-    artist_close(&artist);
+    truth_view_destroy(&truth_view);
+    lab_artist_close(&artist);
 }
 
 // A cube in the middle, light along the view: near caps (its front) and sides (from the front's outline to
@@ -124,11 +124,11 @@ static void test_map_side(void **unused) {
 // it, 3; to y = 1 and -1 the part with x <= 4, 1 - 0.1 each; to x = 5 likewise, 3.2.
 static void test_fragments(void **unused) {
     (void)unused;
-    Scene scene = hand_wall(6, 10, glm_rad(90));
+    Scene scene = closed_wall(6, 10, glm_rad(90));
     const double square = 400.0 * 400 / 64; // pixels of one unit
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 9), vec3_make(0, 0, 0), 0, 3, 1, 10);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 9), vec3_make(0, 0, 0), 0, 3, 1, 10);
     assert_true(fragments_of_volumes(&scene, 400, 400) == 0); // an open plane casts none
-    hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 5), vec3_make(1, 1, 1), 0);
+    closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 5), vec3_make(1, 1, 1), 0);
     assert_true(fabs(fragments_of_volumes(&scene, 400, 400) / (2 * 4 * square) - 1) < 1e-4);
     scene.objects[1].world_from_object.raw[3][0] = 4;
     assert_true(fabs(fragments_of_volumes(&scene, 400, 400) / ((2 + 3 + 2 * 0.9 + 3.2) * square) - 1) < 1e-4);
@@ -144,24 +144,26 @@ static void make_path(char path[FILES_PATH], char folder[FILES_PATH], const char
 static void test_state(void **unused) {
     (void)unused;
     char folder[FILES_PATH] = "", path[FILES_PATH];
-    State state;
-    StateTime times[8];
-    const StateErrors errors = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+    Measurements state;
+    MeasuredTime times[8];
+    const MeasuredErrors errors = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
     make_path(path, folder, "state");
-    assert_true(state_open(&state, path) && state_errors(&state, 7) == NULL);
-    assert_true(state_add_time(&state, &(StateTime){7, 1.5, 2.5}) && state_add_errors(&state, 7, &errors));
+    assert_true(measurements_open(&state, path) && measurements_errors(&state, 7) == NULL);
+    assert_true(measurements_add_time(&state, &(MeasuredTime){7, 1.5, 2.5}) &&
+                measurements_add_errors(&state, 7, &errors));
     fputs("time 0000000000000007 3.5 4.", state.file); // as kill -9 leaves it
-    state_close(&state);
-    assert_true(state_open(&state, path));
-    assert_int_equal(state_times(&state, 7, times, 8), 1);
-    assert_true(state_add_time(&state, &(StateTime){7, 5.5, 6.5}) &&
-                state_add_time(&state, &(StateTime){8, 1, 1}));
-    state_close(&state);
-    assert_true(state_open(&state, path));
-    assert_int_equal(state_times(&state, 7, times, 8), 2);
-    assert_true(times[0].prepare == 1.5 && times[1].shade == 6.5 && state_times(&state, 7, times, 1) == 1);
-    assert_memory_equal(state_errors(&state, 7), &errors, sizeof errors);
-    state_close(&state);
+    measurements_close(&state);
+    assert_true(measurements_open(&state, path));
+    assert_int_equal(measurements_times(&state, 7, times, 8), 1);
+    assert_true(measurements_add_time(&state, &(MeasuredTime){7, 5.5, 6.5}) &&
+                measurements_add_time(&state, &(MeasuredTime){8, 1, 1}));
+    measurements_close(&state);
+    assert_true(measurements_open(&state, path));
+    assert_int_equal(measurements_times(&state, 7, times, 8), 2);
+    assert_true(times[0].prepare == 1.5 && times[1].shade == 6.5 &&
+                measurements_times(&state, 7, times, 1) == 1);
+    assert_memory_equal(measurements_errors(&state, 7), &errors, sizeof errors);
+    measurements_close(&state);
     files_remove(folder);
 }
 

@@ -14,7 +14,7 @@
 
 enum { SIZE = 800, SAMPLES = 1024, TILES = 64, SEED = 5 };
 
-// Area of the shadow of light 0 on object 0, world units, in a picture of the wall z = 0 (hand_wall).
+// Area of the shadow of light 0 on object 0, world units, in a picture of the wall z = 0 (closed_wall).
 static double shadow_area(const Scene *scene) {
     const TruthQuery query = {.kind = TRUTH_LIGHT};
     Truth truth = {0};
@@ -29,7 +29,7 @@ static double shadow_area(const Scene *scene) {
     truth_picture_destroy(&picture);
     truth_destroy(&truth);
     free(visibility);
-    double unit = hand_unit(scene, SIZE);
+    double unit = closed_unit(scene, SIZE);
     return dark * unit * unit;
 }
 
@@ -49,13 +49,13 @@ static void test_sphere(void **unused) {
     (void)unused;
     const float light_height = 4, r = 0.5f;
     const vec3s light = vec3_make(-3.5f, 0, light_height), center = vec3_make(-1.5f, 0, 1.6f);
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0);
-    hand_light(&scene, LIGHT_SPOT, light, vec3_make(0, 0, 0), glm_rad(80), 0, 1, 8);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0);
+    closed_light(&scene, LIGHT_SPOT, light, vec3_make(0, 0, 0), glm_rad(80), 0, 1, 8);
     double d = glms_vec3_distance(light, center), cos_theta = (light.z - center.z) / d, outline;
     double low = ellipse(light_height, r * pow(cos(GLM_PI / 32), 2), d, cos_theta, &outline);
     double high = ellipse(light_height, r, d, cos_theta, &outline);
-    double pixels = outline * hand_unit(&scene, SIZE) * sqrt(0.5), measured = shadow_area(&scene);
+    double pixels = outline * closed_unit(&scene, SIZE) * sqrt(0.5), measured = shadow_area(&scene);
     print_message("sphere: %.4f, expected %.4f to %.4f, pixels %.4f\n", measured, low, high, pixels);
     assert_true(measured > low - pixels && measured < high + pixels);
 }
@@ -65,11 +65,11 @@ static void test_sphere(void **unused) {
 static void test_directional_sphere(void **unused) {
     (void)unused;
     const float r = 0.5f;
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_SPHERE, vec3_make(-1.8f, 0, 1.6f), vec3_make(r, r, r), 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-4, 0, 4), vec3_make(0, 0, 0), 0, 4, 1, 12);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_SPHERE, vec3_make(-1.8f, 0, 1.6f), vec3_make(r, r, r), 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-4, 0, 4), vec3_make(0, 0, 0), 0, 4, 1, 12);
     double cos_theta = sqrt(0.5), high = GLM_PI * r * r / cos_theta, low = high * pow(cos(GLM_PI / 32), 4);
-    double pixels = 2 * GLM_PI * r / cos_theta * hand_unit(&scene, SIZE) * sqrt(0.5);
+    double pixels = 2 * GLM_PI * r / cos_theta * closed_unit(&scene, SIZE) * sqrt(0.5);
     double measured = shadow_area(&scene);
     print_message("directional: %.4f, expected %.4f to %.4f, pixels %.4f\n", measured, low, high, pixels);
     assert_true(measured > low - pixels && measured < high + pixels);
@@ -82,14 +82,14 @@ static void test_square(void **unused) {
     (void)unused;
     const float light_height = 4, h = 2, side = 1;
     for (int turned = 0; turned < 2; turned++) {
-        Scene scene = hand_wall(6, 10, glm_rad(40));
+        Scene scene = closed_wall(6, 10, glm_rad(40));
         mat4s placed = glms_rotate(glms_translate_make(vec3_make(-0.9f, 0, h)), glm_rad(turned ? -90 : 90),
                                    vec3_make(1, 0, 0));
         truth_point_add(&scene, SHAPE_PLANE, glms_scale(placed, vec3_make(side / 2, 1, side / 2)));
-        hand_light(&scene, LIGHT_SPOT, vec3_make(-3, 0, light_height), vec3_make(1.2f, 0, 0), glm_rad(90), 0,
-                   1, 8);
+        closed_light(&scene, LIGHT_SPOT, vec3_make(-3, 0, light_height), vec3_make(1.2f, 0, 0), glm_rad(90),
+                     0, 1, 8);
         double ratio = light_height / (light_height - h), expected = side * side * ratio * ratio;
-        double pixels = 4 * side * ratio * hand_unit(&scene, SIZE) / 2, measured = shadow_area(&scene);
+        double pixels = 4 * side * ratio * closed_unit(&scene, SIZE) / 2, measured = shadow_area(&scene);
         print_message("square: %.4f, expected %.4f, pixels %.4f\n", measured, expected, pixels);
         assert_true(fabs(measured - expected) < pixels);
     }
@@ -150,9 +150,10 @@ static void test_penumbra_width(void **unused) {
 static void test_lights(void **unused) {
     (void)unused;
     Scene scene = half_plane();
-    hand_light(&scene, LIGHT_SPOT, vec3_make(1, 0, LIGHT_HEIGHT), vec3_make(9, 0, LIGHT_HEIGHT), 1, 0, 1, 8);
-    hand_light(&scene, LIGHT_SPOT, vec3_make(-3, 0, LIGHT_HEIGHT), vec3_make(0, 0, 0), 1, 0, 1, 8);
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, LIGHT_HEIGHT), vec3_make(0, 0, 0), 0, 4, 1, 8);
+    closed_light(&scene, LIGHT_SPOT, vec3_make(1, 0, LIGHT_HEIGHT), vec3_make(9, 0, LIGHT_HEIGHT), 1, 0, 1,
+                 8);
+    closed_light(&scene, LIGHT_SPOT, vec3_make(-3, 0, LIGHT_HEIGHT), vec3_make(0, 0, 0), 1, 0, 1, 8);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, LIGHT_HEIGHT), vec3_make(0, 0, 0), 0, 4, 1, 8);
     const vec3s up = vec3_make(0, 0, 1);
     const double expected[2][3] = {{0, 0, 1}, {1, 1, 1}};
     const float place[2] = {0.5f, 2.5f};
@@ -169,9 +170,9 @@ static void test_lights(void **unused) {
 
 // A sphere before a wall, seen slantwise: 67 x 45 pixels, so that the last tiles are not full.
 static void trace_frame(const TruthQuery *query, float *visibility) {
-    Scene scene = hand_wall(3, 10, glm_rad(40));
+    Scene scene = closed_wall(3, 10, glm_rad(40));
     scene.camera.eye = vec3_make(3, 1, 8);
-    hand_add(&scene, SHAPE_SPHERE, vec3_make(0, 0, 1), vec3_make(0.5f, 0.5f, 0.5f), 0);
+    closed_add(&scene, SHAPE_SPHERE, vec3_make(0, 0, 1), vec3_make(0.5f, 0.5f, 0.5f), 0);
     Truth truth = {0};
     TruthPicture picture = {0};
     assert_true(truth_create(&truth, &scene) && truth_picture_create(&picture, 67, 45));
@@ -206,7 +207,7 @@ static void test_seeds(void **unused) {
 // The camera looks through the back of a plane, as it does in the labs, and meets what lies behind it.
 static void test_back_faces(void **unused) {
     (void)unused;
-    Scene scene = hand_wall(3, 10, glm_rad(40));
+    Scene scene = closed_wall(3, 10, glm_rad(40));
     mat4s turned = glms_rotate(glms_translate_make(vec3_make(0, 0, 2)), glm_rad(-90), vec3_make(1, 0, 0));
     truth_point_add(&scene, SHAPE_PLANE, turned);
     Truth truth = {0};

@@ -10,13 +10,13 @@
 
 #include <cmocka.h>
 
-static Ground make_ground(Artist *artist, const Scene *scene, int width, int height) {
-    Ground ground;
+static TruthView make_ground(LabArtist *artist, const Scene *scene, int width, int height) {
+    TruthView truth_view;
     const TruthQuery query = {.kind = TRUTH_LIGHT};
-    if (!artist_open(artist, "03") ||
-        !ground_create(&ground, scene, (MetricsSize){width, height}, &query, artist))
+    if (!lab_artist_open(artist, "03") ||
+        !truth_view_create(&truth_view, scene, (MetricsSize){width, height}, &query, artist))
         fail_msg("%s", check_message());
-    return ground;
+    return truth_view;
 }
 
 typedef struct Agreement {
@@ -24,25 +24,27 @@ typedef struct Agreement {
     int far;                         // different although all neighbours show what GL drew
 } Agreement;
 
-static bool is_inside(const Ground *ground, int x, int y) {
+static bool is_inside(const TruthView *truth_view, int x, int y) {
     for (int v = y - 1; v <= y + 1; v++)
         for (int u = x - 1; u <= x + 1; u++)
-            if (u >= 0 && v >= 0 && u < ground->size.width && v < ground->size.height &&
-                ground->drawn[v * ground->size.width + u] != ground->drawn[y * ground->size.width + x])
+            if (u >= 0 && v >= 0 && u < truth_view->size.width && v < truth_view->size.height &&
+                truth_view->drawn[v * truth_view->size.width + u] !=
+                    truth_view->drawn[y * truth_view->size.width + x])
                 return false;
     return true;
 }
 
-static Agreement agree(const Ground *ground) {
-    Agreement found = {.pixels = ground->size.width * ground->size.height};
-    for (int y = 0; y < ground->size.height; y++)
-        for (int x = 0; x < ground->size.width; x++) {
-            int i = y * ground->size.width + x;
-            bool differs = ground->drawn[i] != ground->traced[i];
+static Agreement agree(const TruthView *truth_view) {
+    Agreement found = {.pixels = truth_view->size.width * truth_view->size.height};
+    for (int y = 0; y < truth_view->size.height; y++)
+        for (int x = 0; x < truth_view->size.width; x++) {
+            int i = y * truth_view->size.width + x;
+            bool differs = truth_view->drawn[i] != truth_view->traced[i];
             found.different += differs;
-            found.far += differs && is_inside(ground, x, y);
-            found.outlines += x > 0 && ground->traced[i] != ground->traced[i - 1];
-            found.outlines += y > 0 && ground->traced[i] != ground->traced[i - ground->size.width];
+            found.far += differs && is_inside(truth_view, x, y);
+            found.outlines += x > 0 && truth_view->traced[i] != truth_view->traced[i - 1];
+            found.outlines +=
+                y > 0 && truth_view->traced[i] != truth_view->traced[i - truth_view->size.width];
         }
     return found;
 }
@@ -52,9 +54,9 @@ static Agreement agree(const Ground *ground) {
 // many centres lie in it; four standard deviations of that number on top. A pixel that differs must touch an
 // outline.
 static void check_agreement(const char *name, const Scene *scene) {
-    Artist artist;
-    Ground ground = make_ground(&artist, scene, 640, 480);
-    Agreement found = agree(&ground);
+    LabArtist artist;
+    TruthView truth_view = make_ground(&artist, scene, 640, 480);
+    Agreement found = agree(&truth_view);
     double expected = found.outlines * sqrt(2) / 512, most = expected + 4 * sqrt(expected);
     print_message("%s: %d of %d pixels differ (%.4f %%), %d along outlines of %d, at most %.1f expected\n",
                   name, found.different, found.pixels, 100.0 * found.different / found.pixels,
@@ -62,8 +64,8 @@ static void check_agreement(const char *name, const Scene *scene) {
     assert_true(found.outlines > 1000);
     assert_true(found.different <= most);
     assert_int_equal(found.far, 0);
-    ground_destroy(&ground);
-    artist_close(&artist);
+    truth_view_destroy(&truth_view);
+    lab_artist_close(&artist);
 }
 
 static void test_primitives(void **unused) {
@@ -80,17 +82,17 @@ enum { SIZE = 1600, MAP = 2048, PLACES = 4, SEED = 9 };
 
 // Object `object` alone, or all of them for TRUTH_NONE.
 static Metrics compare(const Scene *scene, int object) {
-    Artist artist;
+    LabArtist artist;
     Measured measured;
-    Ground ground = make_ground(&artist, scene, SIZE, SIZE);
+    TruthView truth_view = make_ground(&artist, scene, SIZE, SIZE);
     Setting setting = {.view = VIEW_VISIBILITY, .object = object};
     setting_knob(&setting, "map size", MAP);
-    if (!ground_measure(&ground, &artist, &setting, true, &measured))
+    if (!truth_view_measure(&truth_view, &artist, &setting, true, &measured))
         fail_msg("%s", check_message());
     Metrics metrics = measured.metrics;
     measured_destroy(&measured);
-    ground_destroy(&ground);
-    artist_close(&artist);
+    truth_view_destroy(&truth_view);
+    lab_artist_close(&artist);
     return metrics;
 }
 
@@ -108,9 +110,9 @@ static Scene make_scene(Random *random, double *texel, double *outline) {
     const float height = 4, r = 0.5f, fov_y = glm_rad(104), shift = random_range(random, -0.1f, 0.1f);
     const vec3s light = vec3_make(-3.5f + shift, random_range(random, -0.1f, 0.1f), height);
     const vec3s center = vec3_make(-1.6f, random_range(random, -0.1f, 0.1f), 1.6f);
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0);
-    hand_light(&scene, LIGHT_SPOT, light, vec3_make(light.x, light.y, 0), fov_y, 0, 1, 8);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0);
+    closed_light(&scene, LIGHT_SPOT, light, vec3_make(light.x, light.y, 0), fov_y, 0, 1, 8);
     double d = glms_vec3_distance(light, center), sin_a = r / d, cos_theta = (light.z - center.z) / d;
     double q = cos_theta * cos_theta - sin_a * sin_a;
     double a = height * sin_a * sqrt(1 - sin_a * sin_a) / q, b = height * sin_a / sqrt(q);
@@ -130,7 +132,7 @@ static void test_lab(void **unused) {
     for (int i = 0; i < PLACES; i++) {
         double texel, outline;
         Scene scene = make_scene(&random, &texel, &outline);
-        double unit = hand_unit(&scene, SIZE);
+        double unit = closed_unit(&scene, SIZE);
         Metrics metrics = compare(&scene, 0);
         print_metrics("wall", &metrics);
         assert_true(metrics.interior.mae == 0);

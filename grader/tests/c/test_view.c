@@ -193,32 +193,33 @@ static void test_state(void **unused) {
         .checks = {
             {.view = "picture", .scene = "table sun"},
             {.view = "visibility", .scene = "wide floor", .knobs = {{"map size", 64}}, .knob_count = 1}}};
-    State state;
+    ViewState state;
     Request request, again;
     Scene scene;
-    state_begin(&state, &rubric);
-    assert_true(state_request(&state, 40, 30, &request) && state_request(&state, 40, 30, &again));
+    view_state_begin(&state, &rubric);
+    assert_true(view_state_request(&state, 40, 30, &request) && view_state_request(&state, 40, 30, &again));
     assert_memory_equal(&request, &again, sizeof request);
     memset(&scene, 0, sizeof scene);
     assert_true(scene_make(&scene, "table sun", &(Random){1}));
     assert_memory_equal(&request.scene, &scene, sizeof scene);
-    state_step_check(&state, &rubric, -1);
-    assert_true(state_request(&state, 40, 30, &request));
+    view_state_step_check(&state, &rubric, -1);
+    assert_true(view_state_request(&state, 40, 30, &request));
     assert_string_equal(request.view, "visibility");
     assert_true(request.knob_count == 1 && request.knobs[0].value == 64);
-    state_step_scene(&state, &rubric, 1);
+    view_state_step_scene(&state, &rubric, 1);
     assert_string_equal(state.scene, "table sun");
     state.show = SHOW_DIFFERENCE;
-    assert_true(state_needs_mine(&state) && state_needs_reference(&state) && !state_needs_truth(&state));
+    assert_true(view_state_needs_mine(&state) && view_state_needs_reference(&state) &&
+                !view_state_needs_truth(&state));
     state.against_truth = true;
-    state_step_view(&state, &(Description){.stage_count = 1, .stages = {"map"}}, 1);
+    view_state_step_view(&state, &(Description){.stage_count = 1, .stages = {"map"}}, 1);
     assert_string_equal(state.view, "map");
-    assert_true(state_request(&state, 40, 30, &request));
+    assert_true(view_state_request(&state, 40, 30, &request));
     assert_string_equal(request.view, "visibility"); // the truth knows nothing else
-    state_begin(&state, &none);
-    assert_true(state_request(&state, 40, 30, &request)); // without a rubric
+    view_state_begin(&state, &none);
+    assert_true(view_state_request(&state, 40, 30, &request)); // without a rubric
     snprintf(state.scene, sizeof state.scene, "nowhere");
-    assert_false(state_request(&state, 40, 30, &request));
+    assert_false(view_state_request(&state, 40, 30, &request));
 }
 
 // A check is named only as long as everything is as it asks.
@@ -232,13 +233,13 @@ static void test_label(void **unused) {
                                        .knobs = {{"map size", 64}},
                                        .knob_count = 1}}};
     char text[300];
-    State state;
-    state_begin(&state, &rubric);
-    state_step_check(&state, &rubric, 1);
-    state_text(&state, &rubric, text, sizeof text);
+    ViewState state;
+    view_state_begin(&state, &rubric);
+    view_state_step_check(&state, &rubric, 1);
+    view_state_text(&state, &rubric, text, sizeof text);
     assert_string_equal(text, "visibility of \"far floor\", seed 1  [check 3.8: far]");
-    state_set_knob(&state, "map size", 128);
-    state_text(&state, &rubric, text, sizeof text);
+    view_state_set_knob(&state, "map size", 128);
+    view_state_text(&state, &rubric, text, sizeof text);
     assert_string_equal(text, "visibility of \"far floor\", seed 1");
 }
 
@@ -250,24 +251,24 @@ static void write_file(const char *folder, const char *name, const char *text) {
 
 static void test_watch(void **unused) {
     (void)unused;
-    static Changes watch;
+    static FileWatch watch;
     char folder[FILES_PATH], from[FILES_PATH], to[FILES_PATH];
     assert_true(files_make_temporary(folder));
     write_file(folder, "a.frag", "one");
-    changes_begin(&watch, folder, "");
-    assert_false(changes_found(&watch));
+    file_watch_begin(&watch, folder, "");
+    assert_false(file_watch_found(&watch));
     write_file(folder, "notes.txt", "nobody draws this");
-    assert_false(changes_found(&watch) || changes_found(&watch));
+    assert_false(file_watch_found(&watch) || file_watch_found(&watch));
     write_file(folder, "a.frag", "three");
-    assert_false(changes_found(&watch)); // perhaps not written to its end
-    assert_true(changes_found(&watch));
-    assert_false(changes_found(&watch));
+    assert_false(file_watch_found(&watch)); // perhaps not written to its end
+    assert_true(file_watch_found(&watch));
+    assert_false(file_watch_found(&watch));
     write_file(folder, "b", "as long"); // renamed over, as some editors save
     files_join(from, folder, "b");
     files_join(to, folder, "a.frag");
     assert_int_equal(rename(from, to), 0);
-    assert_false(changes_found(&watch));
-    assert_true(changes_found(&watch));
+    assert_false(file_watch_found(&watch));
+    assert_true(file_watch_found(&watch));
     files_remove(folder);
 }
 

@@ -17,7 +17,7 @@ static double shadow_area(const Scene *scene, int first_column) {
         for (int x = first_column; x < SIZE; x++)
             dark += image.rgba[4 * (y * SIZE + x)] < 128;
     image_destroy(&image);
-    double unit = hand_unit(scene, SIZE);
+    double unit = closed_unit(scene, SIZE);
     return dark * unit * unit;
 }
 
@@ -30,9 +30,9 @@ static void test_sphere(void **unused) {
     (void)unused;
     const float light_height = 4, r = 0.5f;
     const vec3s light = vec3_make(-3.5f, 0, light_height), center = vec3_make(-1.5f, 0, 1.6f);
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0);
-    hand_light(&scene, LIGHT_SPOT, light, vec3_make(0, 0, 0), glm_rad(80), 0, 1, 8);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0);
+    closed_light(&scene, LIGHT_SPOT, light, vec3_make(0, 0, 0), glm_rad(80), 0, 1, 8);
     double d = glms_vec3_distance(light, center), sin_a = r / d, cos_a = sqrt(1 - sin_a * sin_a);
     double cos_theta = (light.z - center.z) / d, q = cos_theta * cos_theta - sin_a * sin_a;
     double expected = GLM_PI * (light_height * sin_a * cos_a / q) * (light_height * sin_a / sqrt(q));
@@ -48,11 +48,11 @@ static void test_sphere(void **unused) {
 static void test_square(void **unused) {
     (void)unused;
     const float light_height = 4, h = 2, side = 1, thickness = 0.001f;
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_BOX, vec3_make(-0.9f, 0, h - thickness), vec3_make(side / 2, side / 2, thickness),
-             0);
-    hand_light(&scene, LIGHT_SPOT, vec3_make(-3, 0, light_height), vec3_make(1.2f, 0, 0), glm_rad(90), 0, 1,
-               8);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_BOX, vec3_make(-0.9f, 0, h - thickness),
+               vec3_make(side / 2, side / 2, thickness), 0);
+    closed_light(&scene, LIGHT_SPOT, vec3_make(-3, 0, light_height), vec3_make(1.2f, 0, 0), glm_rad(90), 0, 1,
+                 8);
     double ratio = light_height / (light_height - h), expected = side * side * ratio * ratio;
     double measured = shadow_area(&scene, SIZE / 2);
     print_message("square: expected %.4f, measured %.4f\n", expected, measured);

@@ -14,15 +14,15 @@ static const float NEAR = 4, FAR = 16;
 
 // A wall seen straight on under a light at the angle `theta`, with a map 2 * half_size wide.
 static Scene tilted_light(double theta, float half_size) {
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-10 * sinf((float)theta), 0, 10 * cosf((float)theta)),
-               vec3_make(0, 0, 0), 0, half_size, NEAR, FAR);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-10 * sinf((float)theta), 0, 10 * cosf((float)theta)),
+                 vec3_make(0, 0, 0), 0, half_size, NEAR, FAR);
     return scene;
 }
 
 // Number of lit pixels in the middle row between two places on the wall, in world units from the middle.
 static int lit_between(const Image *image, const Scene *scene, double left, double right) {
-    double unit = hand_unit(scene, SIZE);
+    double unit = closed_unit(scene, SIZE);
     int lit = 0;
     for (int x = 0; x < SIZE; x++) {
         double place = (x + 0.5 - SIZE / 2) * unit;
@@ -45,7 +45,7 @@ static void test_acne_share(void **unused) {
         const WitnessKnob knobs[] = {
             {"method", 1}, {"map size", MAP}, {"bias", (float)(ratios[i] * least_bias)}};
         Image image = witness_draw("04", &scene, "visibility", SIZE, SIZE, knobs, 3);
-        double pixels = width / hand_unit(&scene, SIZE);
+        double pixels = width / closed_unit(&scene, SIZE);
         double share = 1 - lit_between(&image, &scene, -width / 2, width / 2) / pixels;
         double expected = fmax((1 - ratios[i]) / 2, 0);
         print_message("acne at r = %.2f: expected %.4f, measured %.4f\n", ratios[i], expected, share);
@@ -60,7 +60,7 @@ static const double THETA = 50; // of the light, degrees
 
 static Scene board(void) {
     Scene scene = tilted_light(glm_rad(THETA), MAP_HALF_SIZE);
-    hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, HEIGHT / 2), vec3_make(HALF_THICKNESS, 3, HEIGHT / 2), 0);
+    closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, HEIGHT / 2), vec3_make(HALF_THICKNESS, 3, HEIGHT / 2), 0);
     return scene;
 }
 
@@ -74,7 +74,7 @@ static void test_gap(void **unused) {
     const Scene scene = board();
     const WitnessKnob knobs[] = {{"method", 1}, {"map size", MAP}, {"bias", (float)bias / (FAR - NEAR)}};
     Image image = witness_draw("04", &scene, "visibility", SIZE, SIZE, knobs, 3);
-    double unit = hand_unit(&scene, SIZE), start = 0.2, expected = bias * sin(theta) - HALF_THICKNESS;
+    double unit = closed_unit(&scene, SIZE), start = 0.2, expected = bias * sin(theta) - HALF_THICKNESS;
     double measured = start + lit_between(&image, &scene, start, 1.1) * unit;
     print_message("gap: expected to end at %.4f, measured %.4f\n", expected, measured);
     assert_true(fabs(measured - expected) < texel * cos(theta) / 2 + unit);
@@ -90,7 +90,7 @@ static void test_normal_offset(void **unused) {
     const Scene scene = board();
     const WitnessKnob knobs[] = {{"method", 5}, {"map size", MAP}, {"normal offset", OFFSET}};
     Image image = witness_draw("04", &scene, "visibility", SIZE, SIZE, knobs, 3);
-    double unit = hand_unit(&scene, SIZE), end = 2.5, offset = OFFSET * texel * sin(theta);
+    double unit = closed_unit(&scene, SIZE), end = 2.5, offset = OFFSET * texel * sin(theta);
     double expected = HALF_THICKNESS + (HEIGHT - offset) * tan(theta);
     double measured = end - lit_between(&image, &scene, 0.1, end) * unit;
     print_message("tip: expected at %.4f, measured %.4f\n", expected, measured);

@@ -40,11 +40,11 @@ static double expected_lit(int method, int radius, double x) {
 // steps.
 static void check_profile(int method, int radius) {
     const double edge = -1, texel = 2 * map_half_size / 128;
-    Scene scene = hand_wall(6, distance, glm_rad(40));
-    hand_add(&scene, SHAPE_BOX, vec3_make(-2, 0, 2), vec3_make(1, 2, 0.001f), 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 8), vec3_make(0, 0, 0), 0, map_half_size, 1, 10);
+    Scene scene = closed_wall(6, distance, glm_rad(40));
+    closed_add(&scene, SHAPE_BOX, vec3_make(-2, 0, 2), vec3_make(1, 2, 0.001f), 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 8), vec3_make(0, 0, 0), 0, map_half_size, 1, 10);
     Image image = draw(&scene, method, radius, 128);
-    double unit = hand_unit(&scene, SIZE), sum = 0, largest = 0;
+    double unit = closed_unit(&scene, SIZE), sum = 0, largest = 0;
     for (int column = 0; column < SIZE; column++) {
         double x = ((column + 0.5 - SIZE / 2.0) * unit - edge) / texel;
         if (fabs(x) > 3.9) // the plate hides what lies more than 4 texels to the left
@@ -87,12 +87,12 @@ static void check_slanting(vec3s light, int radius) {
     vec3s shadow = glms_vec3_sub(center, glms_vec3_scale(to_light, h / to_light.z));
     vec3s seen =
         glms_vec3_scale(center, distance / (distance - h)); // where the eye sees the square on the wall
-    Scene scene = hand_wall(3, distance, glm_rad(40));
-    hand_add(&scene, SHAPE_BOX, center, vec3_make(0.5f, 0.5f, 0.001f), 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, glms_vec3_scale(to_light, 9), vec3_make(0, 0, 0), 0, map_half_size,
-               2, 16);
+    Scene scene = closed_wall(3, distance, glm_rad(40));
+    closed_add(&scene, SHAPE_BOX, center, vec3_make(0.5f, 0.5f, 0.001f), 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, glms_vec3_scale(to_light, 9), vec3_make(0, 0, 0), 0,
+                 map_half_size, 2, 16);
     Image image = draw(&scene, BOX, radius, 512);
-    double unit = hand_unit(&scene, SIZE), texel = 2 * map_half_size / 512 / to_light.z, area = 0;
+    double unit = closed_unit(&scene, SIZE), texel = 2 * map_half_size / 512 / to_light.z, area = 0;
     int acne = 0;
     for (int row = 0; row < SIZE; row++)
         for (int column = 0; column < SIZE; column++) {

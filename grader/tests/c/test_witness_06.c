@@ -25,8 +25,8 @@ static double lit_at(const Image *image, int x, int y) {
 // A wall with a light from the left, 45 degrees aslant, so that no caster hides its shadow: what is at height
 // z throws it z to the right. Along x the disc is stretched by sqrt 2, along y it is not.
 static Scene lit_wall(void) {
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-6, 0, 6), vec3_make(0, 0, 0), 0, map_half_size, 1, 14);
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-6, 0, 6), vec3_make(0, 0, 0), 0, map_half_size, 1, 14);
     return scene;
 }
 
@@ -39,9 +39,9 @@ static void test_edge(void **unused) {
     (void)unused;
     const int first_column = SIZE / 2 - 3 * PATTERN, columns = 5 * PATTERN, n = PATTERN * SAMPLES;
     Scene scene = lit_wall();
-    hand_add(&scene, SHAPE_BOX, vec3_make(-3.6f, -2, 3), vec3_make(2.4f, 2, 0.01f), 0);
+    closed_add(&scene, SHAPE_BOX, vec3_make(-3.6f, -2, 3), vec3_make(2.4f, 2, 0.01f), 0);
     Image image = draw(&scene, false);
-    double unit = hand_unit(&scene, SIZE), ratios = 0;
+    double unit = closed_unit(&scene, SIZE), ratios = 0;
     int rows = 0;
     for (int row = 0; row < SIZE; row++) {
         double t = (SIZE / 2.0 - row - 0.5) * unit / radius, measured = 0;
@@ -65,7 +65,7 @@ static void test_edge(void **unused) {
 // Mean visibility of the pixels within `reach` of the middle of the sphere's shadow, and their number.
 static double mean_lit(const Scene *scene, bool early_out, double middle_x, double reach, int *pixels) {
     Image image = draw(scene, early_out);
-    double unit = hand_unit(scene, SIZE), sum = 0;
+    double unit = closed_unit(scene, SIZE), sum = 0;
     *pixels = 0;
     for (int row = 0; row < SIZE; row++)
         for (int column = 0; column < SIZE; column++) {
@@ -88,7 +88,7 @@ static double mean_lit(const Scene *scene, bool early_out, double middle_x, doub
 static void check_blocker(float b) {
     const double height = 2.5, texel = 2 * map_half_size / MAP, share = b * b / (radius * radius);
     Scene scene = lit_wall();
-    hand_add(&scene, SHAPE_SPHERE, vec3_make(-2, 0, (float)height), vec3_make(b, b, b), 0);
+    closed_add(&scene, SHAPE_SPHERE, vec3_make(-2, 0, (float)height), vec3_make(b, b, b), 0);
     int pixels;
     double reach = sqrt(0.75) * radius - b - texel;
     double hasty = mean_lit(&scene, true, height - 2, reach, &pixels);

@@ -16,7 +16,7 @@ enum { SIZE = 800, PLATES = 3 };
 static void measure(double area[4], const Scene *scene, float method, int first_column) {
     const WitnessKnob knob = {"method", method};
     Image image = witness_draw("07", scene, "stencil counts", SIZE, SIZE, &knob, 1);
-    double unit = hand_unit(scene, SIZE);
+    double unit = closed_unit(scene, SIZE);
     for (int count = 0; count < 4; count++)
         area[count] = 0;
     for (int i = 0; i < SIZE * SIZE; i++) {
@@ -37,17 +37,17 @@ static void test_nested(void **unused) {
     (void)unused;
     const vec3s lamp = vec3_make(-3, 0, 4), aim = vec3_make(1.9f, 0, 0);
     const float t[PLATES] = {0.3f, 0.4f, 0.5f}, side[PLATES + 1] = {3, 2, 1, 0}, thickness = 0.0002f;
-    Scene scene = hand_wall(6, 10, glm_rad(40));
+    Scene scene = closed_wall(6, 10, glm_rad(40));
     for (int i = 0; i < PLATES; i++)
-        hand_add(&scene, SHAPE_BOX, glms_vec3_lerp(lamp, aim, t[i]),
-                 vec3_make(side[i] * t[i] / 2, side[i] * t[i] / 2, thickness), 0);
-    hand_light(&scene, LIGHT_SPOT, lamp, aim, glm_rad(90), 0, 1, 8);
+        closed_add(&scene, SHAPE_BOX, glms_vec3_lerp(lamp, aim, t[i]),
+                   vec3_make(side[i] * t[i] / 2, side[i] * t[i] / 2, thickness), 0);
+    closed_light(&scene, LIGHT_SPOT, lamp, aim, glm_rad(90), 0, 1, 8);
     for (int method = 0; method < 2; method++) {
         double area[4];
         measure(area, &scene, (float)method, SIZE / 2); // the plates end left of it
         for (int i = 0; i < PLATES; i++) {
             double expected = side[i] * side[i] - side[i + 1] * side[i + 1];
-            double tolerance = 4 * (side[i] + side[i + 1]) * hand_unit(&scene, SIZE) / 2 + 0.01;
+            double tolerance = 4 * (side[i] + side[i + 1]) * closed_unit(&scene, SIZE) / 2 + 0.01;
             print_message("method %d, count %d: expected %.3f, measured %.3f\n", method, i + 1, expected,
                           area[i + 1]);
             assert_true(fabs(area[i + 1] - expected) < tolerance);
@@ -60,11 +60,12 @@ static void test_nested(void **unused) {
 // that the eye stands in a volume and counts one less everywhere.
 static void test_eye_inside(void **unused) {
     (void)unused;
-    Scene scene = hand_wall(6, 10, glm_rad(40));
-    hand_add(&scene, SHAPE_BOX, vec3_make(0, 0, 14), vec3_make(20, 20, 0.1f), 0);
-    hand_add(&scene, SHAPE_BOX, vec3_make(-2, 0, 6), vec3_make(0.5f, 0.5f, 0.0002f), 0);
-    hand_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-4, 0, 12), vec3_make(0, 0, 0), 0, 10, 1, 20);
-    double unit = hand_unit(&scene, SIZE), all = unit * unit * SIZE * SIZE, tolerance = 4 * unit / 2 + 0.001;
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 14), vec3_make(20, 20, 0.1f), 0);
+    closed_add(&scene, SHAPE_BOX, vec3_make(-2, 0, 6), vec3_make(0.5f, 0.5f, 0.0002f), 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, vec3_make(-4, 0, 12), vec3_make(0, 0, 0), 0, 10, 1, 20);
+    double unit = closed_unit(&scene, SIZE), all = unit * unit * SIZE * SIZE,
+           tolerance = 4 * unit / 2 + 0.001;
     double fail[4], pass[4];
     measure(fail, &scene, 1, 0);
     measure(pass, &scene, 0, 0);

@@ -23,7 +23,7 @@ typedef double (*Expected)(double x, double z);
 
 static Scene floor_scene(float half) {
     Scene scene = {.camera = {.eye = vec3_make(0, 5, 5), .fov_y = 1, .near_plane = 1, .far_plane = 20}};
-    hand_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(half, 1, half), 0);
+    closed_add(&scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(half, 1, half), 0);
     return scene;
 }
 
@@ -61,7 +61,7 @@ static void compare(const char *name, const Scene *scene, int rays, float ray_le
 // A long wall. Its ends, 40 units away, hide less than 1e-4 more or less.
 static double behind_wall(double x, double z) {
     (void)x;
-    return hand_beside_wall(z + 2, 1);
+    return closed_beside_wall(z + 2, 1);
 }
 
 // Rays of the length R before a wall higher than R: (acos c - c sqrt(1 - c^2)) / pi, c = x / R.
@@ -74,7 +74,7 @@ static double behind_limit(double x, double z) {
 static void test_wall(void **unused) {
     (void)unused;
     Scene scene = floor_scene(2);
-    hand_stand(&scene, vec3_make(0, 0.5f, -2), 40, 0.5f, 0);
+    closed_stand(&scene, vec3_make(0, 0.5f, -2), 40, 0.5f, 0);
     compare("wall", &scene, 1024, 100, behind_wall);
     compare("wall, short rays", &scene, 1024, 0.9f, behind_limit);
 }
@@ -106,8 +106,8 @@ static void test_corner(void **unused) {
     (void)unused;
     assert_true(fabs(in_corner(-0.999, -0.999) - 0.75) < 1e-3);
     Scene scene = floor_scene(1);
-    hand_stand(&scene, vec3_make(3, 2, -1), 4, 2, 0);
-    hand_stand(&scene, vec3_make(-1, 2, 3), 4, 2, 90);
+    closed_stand(&scene, vec3_make(3, 2, -1), 4, 2, 0);
+    closed_stand(&scene, vec3_make(-1, 2, 3), 4, 2, 90);
     compare("corner", &scene, 1024, 100, in_corner);
 }
 
@@ -127,10 +127,10 @@ static double under_disc(double x, double z) {
 static void test_sphere_and_disc(void **unused) {
     (void)unused;
     Scene scene = floor_scene(2);
-    hand_add(&scene, SHAPE_SPHERE, vec3_make(0, 1, 0), vec3_make(0.6f, 0.6f, 0.6f), 0);
+    closed_add(&scene, SHAPE_SPHERE, vec3_make(0, 1, 0), vec3_make(0.6f, 0.6f, 0.6f), 0);
     compare("sphere", &scene, 2048, 100, under_sphere);
     scene = floor_scene(0.875f); // 7 x 7 texels: one has its middle on the axis
-    hand_add(&scene, SHAPE_SPHERE, vec3_make(0, 0.5f, 0), vec3_make(0.7f, 1e-3f, 0.7f), 0);
+    closed_add(&scene, SHAPE_SPHERE, vec3_make(0, 0.5f, 0), vec3_make(0.7f, 1e-3f, 0.7f), 0);
     compare("disc", &scene, 4096, 100, under_disc);
 }
 

@@ -20,8 +20,8 @@ Image witness_draw(const char *id, const Scene *scene, const char *view, int wid
     Image image = {0};
     static Reply reply;
     static Request request;
-    assert_true(home_find_lab(folder, id) && rubric_load(&rubric, folder));
-    Roster roster = {.rubric = &rubric};
+    assert_true(places_find_lab(folder, id) && rubric_load(&rubric, folder));
+    Painters painters = {.rubric = &rubric};
     request = (Request){.magic = PROTOCOL_MAGIC, .width = width, .height = height, .knob_count = knob_count};
     request.scene = *scene;
     snprintf(request.view, sizeof request.view, "%s", view);
@@ -29,11 +29,11 @@ Image witness_draw(const char *id, const Scene *scene, const char *view, int wid
         snprintf(request.knobs[i].name, sizeof request.knobs[i].name, "%s", knobs[i].name);
         request.knobs[i].value = knobs[i].value;
     }
-    const Painter *solution = roster_get(&roster, (Solved){SOLVED_ALL, NULL}, NULL);
+    const Painter *solution = painters_get(&painters, (Solved){SOLVED_ALL, NULL}, NULL);
     assert_non_null(solution);
-    assert_true(roster_draw(&roster, solution, &request, &image, &reply));
+    assert_true(painters_draw(&painters, solution, &request, &image, &reply));
     assert_string_equal(reply.message, "");
-    roster_destroy(&roster);
+    painters_destroy(&painters);
     rubric_destroy(&rubric);
     return image;
 }

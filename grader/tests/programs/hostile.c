@@ -37,7 +37,7 @@ typedef struct Case {
     bool outside;
     char *text; // owned
     char log[COMPILE_LOG];
-    Client client;
+    WorkerClient client;
     Reply reply;
     Image image;
 } Case;
@@ -161,9 +161,9 @@ static void run_frame(Case *one) {
     INVARIANT(scene_make(&request.scene, "table spot", &(Random){1}));
     if (strcmp(one->must, "timeout") == 0)
         one->client.seconds = SECONDS;
-    DrawResult result = client_draw(&one->client, &request, &one->image, &one->reply);
+    DrawResult result = worker_client_draw(&one->client, &request, &one->image, &one->reply);
     pid_t group = one->client.process.pid;
-    client_stop(&one->client);
+    worker_client_stop(&one->client);
     const char *trouble = judge_frame(one, result);
     if (!trouble && group > 0 && kill(-group, 0) == 0)
         trouble = "processes are left";
@@ -183,7 +183,7 @@ static void run_case(const char *file, void *context) {
     ok = ok && !left_out;
     if (ok && files_make_temporary(one.client.folder)) {
         ok = write_lab(&one) && write_shader(&one);
-        bool compiled = ok && compile_lab(one.client.folder, suite.jail, one.log);
+        bool compiled = ok && compiler_build(one.client.folder, suite.jail, one.log);
         if (strncmp(one.must, "uncompiled ", 11) == 0)
             judge_compilation(&one, compiled);
         else if (compiled)
@@ -249,8 +249,8 @@ static void judge_leftovers(void) {
 static bool prepare(void) {
     if (!files_make_temporary(suite.folder))
         return false;
-    home_path(suite.parts, "grader/tests/hostile");
-    home_path(suite.root, "");
+    places_path(suite.parts, "grader/tests/hostile");
+    places_path(suite.root, "");
     suite.root[strlen(suite.root) - 1] = '\0';
     files_join(suite.secret, suite.folder, "secret");
     files_join(suite.result, suite.folder, "result");

@@ -58,7 +58,10 @@ broken "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds w
 broken "a long file" "FAILED: files of at most 300 lines" "seq -f '// %g' 301 >common/long.h"
 broken "a long student file" "FAILED: student files of at most 120 lines" "seq -f '// %g' 121 >>$three/shadow.frag && build/skeletons labs"
 broken "common/ that knows a lab" "FAILED: floors: common/ knows neither labs" "echo '// see solutions/03' >>common/scene/random.h"
-broken "GL below the floor line" "FAILED: floors: common/ without GL" "sed -i 's/#include \"random.h\"/&\n#include \"gl.h\"/' common/scene/random.c"
+broken "an include that points up" "common/scene/random.c:3: scene includes draw.h, which is up" "sed -i '2a #include \"draw.h\"' common/scene/random.c"
+broken "a package in a room that does not know it" "only truth may include embree3/rtcore.h" "sed -i '2a #include <embree3/rtcore.h>' common/scene/random.c"
+broken "an include without its room" "names no file from common/ or grader/ on" "sed -i '2a #include \"score.h\"' common/scene/random.c"
+broken "a circle" "a circle: common/scene/scene -> common/scene/random -> common/scene/scene" "sed -i '2a #include \"scene/scene.h\"' common/scene/random.c"
 broken "a missing picture" "picture.png is missing" "rm labs/03-shadow-map/map.png labs/03-shadow-map/picture.png"
 
 # Students' helpers.

@@ -1,4 +1,4 @@
-#include "grade/grade_submission.h"
+#include "grade/session.h"
 
 #include "scene/check.h"
 #include "base/places.h"
@@ -22,7 +22,7 @@ static void add_lab(const char *id, void *context) {
         adding->ok = check_fail("more than %d labs at once", RESULT_MAX_LABS);
         return;
     }
-    adding->ok = examiner_open(&session->examiners[session->lab_count], id);
+    adding->ok = lab_exam_open(&session->examiners[session->lab_count], id);
     session->lab_count += adding->ok;
 }
 
@@ -30,7 +30,7 @@ bool session_add(Session *session, const char *id) {
     Adding adding = {session, true};
     if (id)
         add_lab(id, &adding);
-    else if (!home_list_labs(add_lab, &adding))
+    else if (!places_list_labs(add_lab, &adding))
         return false;
     return adding.ok;
 }
@@ -54,7 +54,7 @@ static void name_missing(const Submission *submission, const Rubric *rubric, cha
 }
 
 static bool grade_one(Session *session, const Submission *submission, int i, Report *report) {
-    Examiner *examiner = &session->examiners[i];
+    LabExam *examiner = &session->examiners[i];
     char theirs[FILES_PATH], text[400];
     bool found = submission_find(submission, examiner->rubric.id, theirs), ok = true;
     check_clear();
@@ -71,9 +71,9 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
     if (ok && result_was_drawn(result)) // whatever the exam was drawn for before
         memcpy(report->renderer, examiner->exam->renderer, sizeof report->renderer);
     if (!session->keep)
-        examiner_forget(examiner);
+        lab_exam_forget(examiner);
     else if (session->lab_count > 1)
-        examiner_rest(examiner);
+        lab_exam_rest(examiner);
     return ok;
 }
 
@@ -111,6 +111,6 @@ void session_free(Report *report) {
 
 void session_close(Session *session) {
     for (int i = 0; i < session->lab_count; i++)
-        examiner_close(&session->examiners[i]);
+        lab_exam_close(&session->examiners[i]);
     session->lab_count = 0;
 }

@@ -27,7 +27,7 @@ static const char TEXT[] = "a\n"
                            "b\n";
 
 static void expect(Solved solved, bool keep_lines, const char *expected) {
-    char *text = source_select("file.c", TEXT, solved, keep_lines);
+    char *text = task_blocks_select("file.c", TEXT, solved, keep_lines);
     assert_non_null(text);
     assert_string_equal(text, expected);
     free(text);
@@ -50,7 +50,7 @@ static void test_lines_stay_true(void **unused) {
 
 static void refuse(const char *text, const char *message) {
     check_clear();
-    assert_null(source_select("file.c", text, (Solved){SOLVED_ALL, NULL}, false));
+    assert_null(task_blocks_select("file.c", text, (Solved){SOLVED_ALL, NULL}, false));
     assert_non_null(strstr(check_message(), message));
 }
 
@@ -64,14 +64,14 @@ static void test_refused(void **unused) {
 
 static void test_edit(void **unused) {
     (void)unused;
-    char *text = source_edit("abcabd", &(Edit){"file.c", "abd", "X"});
+    char *text = task_blocks_edit("abcabd", &(Edit){"file.c", "abd", "X"});
     assert_string_equal(text, "abcX");
     free(text);
     check_clear();
-    assert_null(source_edit("abcabd", &(Edit){"file.c", "ab", "X"}));
+    assert_null(task_blocks_edit("abcabd", &(Edit){"file.c", "ab", "X"}));
     assert_non_null(strstr(check_message(), "more than once"));
     check_clear();
-    assert_null(source_edit("abcabd", &(Edit){"file.c", "zz", "X"}));
+    assert_null(task_blocks_edit("abcabd", &(Edit){"file.c", "zz", "X"}));
     assert_non_null(strstr(check_message(), "nowhere"));
 }
 

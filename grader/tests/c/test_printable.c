@@ -33,7 +33,7 @@ static const char *const pairs[][2] = {{"Ann Lee", "Ann Lee"},
 static void test_known(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
-        char *text = escape_name(pairs[i][0]), *back = escape_undo(pairs[i][1]);
+        char *text = printable_name(pairs[i][0]), *back = printable_undo(pairs[i][1]);
         assert_string_equal(text, pairs[i][1]);
         assert_string_equal(back, pairs[i][0]);
         free(text);
@@ -45,7 +45,7 @@ static void test_malformed(void **state) {
     (void)state;
     static const char *const texts[] = {"\\", "a\\", "\\x", "\\x1", "\\xg0", "\\n", "\\x00"};
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
-        assert_null(escape_undo(texts[i]));
+        assert_null(printable_undo(texts[i]));
 }
 
 static void random_name(Random *random, char *name, int size) {
@@ -66,12 +66,12 @@ static void test_random(void **state) {
     for (int i = 0; i < 20000; i++) {
         char name[40], file[ESCAPE_FILE_NAME];
         random_name(&random, name, sizeof name);
-        char *text = escape_name(name), *back = escape_undo(text);
+        char *text = printable_name(name), *back = printable_undo(text);
         assert_non_null(back);
         assert_string_equal(back, name);
         for (const char *at = text; *at; at++)
             assert_false((unsigned char)*at < 0x20 || *at == 0x7f);
-        escape_file_name(file, name);
+        printable_file_name(file, name);
         assert_true(file[0] == '_' || isalnum((unsigned char)file[0]));
         for (const char *at = file; *at; at++)
             assert_true(isalnum((unsigned char)*at) || *at == '-' || *at == '_');
@@ -83,11 +83,11 @@ static void test_random(void **state) {
 static void test_file_names(void **state) {
     (void)state;
     char file[ESCAPE_FILE_NAME];
-    escape_file_name(file, "a"); // FNV-1a of "a", 64 bits, from its authors' test vectors
+    printable_file_name(file, "a"); // FNV-1a of "a", 64 bits, from its authors' test vectors
     assert_string_equal(file, "a-af63dc4c8601ec8c");
-    escape_file_name(file, "foobar");
+    printable_file_name(file, "foobar");
     assert_string_equal(file, "foobar-85944171f73967e8");
-    escape_file_name(file, "../..");
+    printable_file_name(file, "../..");
     assert_int_equal(file[0], '_');
     assert_null(strchr(file, '/'));
 }

@@ -14,30 +14,30 @@
 enum { SEEDS = 4 };
 static const double ENOUGH = 0.002; // of the picture: 30 to 50 of an exam's pixels
 
-static Client worker; // draws all labs
+static WorkerClient worker; // draws all labs
 
 static void load(Rubric *rubric, const char *id) {
     char folder[FILES_PATH];
-    assert_true(home_find_lab(folder, id) && rubric_load(rubric, folder));
+    assert_true(places_find_lab(folder, id) && rubric_load(rubric, folder));
 }
 
-static void check_scene(const char *id, const Economy *economy, const char *readme) {
+static void check_scene(const char *id, const SceneNeeds *economy, const char *readme) {
     char text[ECONOMY_TEXT];
-    economy_describe(text, id, economy);
-    print_message("%s %.4f\n", text, economy_least(economy));
-    assert_true(economy_least(economy) >= ENOUGH);
+    scene_needs_describe(text, id, economy);
+    print_message("%s %.4f\n", text, scene_needs_least(economy));
+    assert_true(scene_needs_least(economy) >= ENOUGH);
     assert_int_equal(economy->first.light_count, 1); // the fewest that shading can do with
     assert_non_null(strstr(readme, text));
 }
 
 // Under the sanitizers, which make all labs anew, one will do.
 static void check_lab(const char *id, void *readme) {
-    static Economy economies[ECONOMY_MAX_SCENES];
+    static SceneNeeds economies[ECONOMY_MAX_SCENES];
     Rubric rubric;
     if (getenv("QUICK") && strcmp(id, "03") != 0)
         return;
     load(&rubric, id);
-    int count = economy_measure(economies, &rubric, &worker, SEEDS, ENOUGH);
+    int count = scene_needs_measure(economies, &rubric, &worker, SEEDS, ENOUGH);
     assert_true(count > 0);
     for (int i = 0; i < count; i++)
         check_scene(id, &economies[i], readme);
@@ -47,10 +47,10 @@ static void check_lab(const char *id, void *readme) {
 static void test_scenes(void **unused) {
     (void)unused;
     char path[FILES_PATH];
-    home_path(path, "grader/README.md");
+    places_path(path, "grader/README.md");
     char *readme = files_read(path, 1 << 20);
     assert_non_null(readme);
-    assert_true(home_list_labs(check_lab, readme));
+    assert_true(places_list_labs(check_lab, readme));
     free(readme);
 }
 
@@ -59,10 +59,10 @@ static void test_needless(void **unused) {
     (void)unused;
     Rubric rubric;
     load(&rubric, "03");
-    Roster roster = {.rubric = &rubric, .client = worker};
+    Painters painters = {.rubric = &rubric, .client = worker};
     Exam *exam = calloc(1, sizeof *exam);
-    Economy economy = {.scene = "table spot"};
-    assert_true(exam && exam_create(exam, &rubric, &roster, 1));
+    SceneNeeds economy = {.scene = "table spot"};
+    assert_true(exam && exam_create(exam, &rubric, &painters, 1));
     int added = exam->variants[0][0].request.scene.object_count;
     for (int c = 0; c < rubric.check_count; c++)
         for (int n = 0; n < rubric.checks[c].variants; n++) {
@@ -70,21 +70,21 @@ static void test_needless(void **unused) {
             scene->objects[scene->object_count++] =
                 (Object){.shape = SHAPE_BOX, .world_from_object = glms_translate_make(vec3_make(0, -3, 0))};
         }
-    assert_true(economy_look(&economy, exam, &roster, ENOUGH));
+    assert_true(scene_needs_look(&economy, exam, &painters, ENOUGH));
     print_message("a box below the floor: %.4f, the floor: %.4f\n", economy.need[added], economy.need[0]);
     assert_true(economy.need[added] == 0 && economy.need[0] > ENOUGH);
-    assert_true(economy_least(&economy) < ENOUGH);
+    assert_true(scene_needs_least(&economy) < ENOUGH);
     exam_destroy(exam);
     free(exam);
-    worker = roster.client;
-    roster.client = (Client){0};
-    roster_destroy(&roster);
+    worker = painters.client;
+    painters.client = (WorkerClient){0};
+    painters_destroy(&painters);
     rubric_destroy(&rubric);
 }
 
 static int stop(void **unused) {
     (void)unused;
-    client_stop(&worker);
+    worker_client_stop(&worker);
     return 0;
 }
 

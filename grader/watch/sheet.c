@@ -1,4 +1,4 @@
-#include "watch/text_sheet.h"
+#include "watch/sheet.h"
 
 #include <stdarg.h>
 #include <string.h>
