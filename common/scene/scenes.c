@@ -1,6 +1,7 @@
 // Scenes. Each holds only what shows its phenomenon; what varies is drawn from a seed, so that a picture of
 // one variant is worth nothing in another.
 #include "scene/check.h"
+#include "scene/count.h"
 #include "scene/scene_parts.h"
 
 #include <string.h>
@@ -9,7 +10,7 @@ static const SceneMaker *const tables[] = {
     scenes_shading, scenes_table, scenes_bias, scenes_filter, scenes_random, scenes_volumes, scenes_occlusion,
 };
 
-enum { TABLE_COUNT = sizeof tables / sizeof tables[0] };
+enum { TABLE_COUNT = COUNT(tables) };
 
 static const SceneMaker *find(int i) {
     for (int table = 0; table < TABLE_COUNT; table++)

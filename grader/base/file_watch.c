@@ -1,6 +1,7 @@
 #include "base/file_watch.h"
 
 #include "base/hash.h"
+#include "scene/count.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -14,7 +15,7 @@ typedef struct Look {
 bool file_watch_is_source(const char *name) {
     static const char *const ends[] = {".c", ".h", ".vert", ".frag", ".geom", ".glsl"};
     const char *dot = strrchr(name, '.');
-    for (unsigned i = 0; dot && i < sizeof ends / sizeof ends[0]; i++)
+    for (unsigned i = 0; dot && i < COUNT(ends); i++)
         if (strcmp(dot, ends[i]) == 0)
             return true;
     return false;

@@ -3,7 +3,9 @@
 // "wall" is what passes on the clock, "cpu" the processor time divided by the threads: the same on an idle
 // machine.
 #include "scene/check.h"
+#include "scene/count.h"
 #include "base/process.h"
+#include "base/statistics.h"
 #include "truth/truth_plain.h"
 #include "truth/truth.h"
 
@@ -40,16 +42,6 @@ static Scene make_scene(void) {
     scene.lights[scene.light_count++] =
         (Light){.kind = LIGHT_SPOT, .position = vec3_make(3, 7, 3), .target = vec3_make(0, 0, 0)};
     return scene;
-}
-
-static int by_value(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *values, int count) {
-    qsort(values, (size_t)count, sizeof *values, by_value);
-    return values[count / 2];
 }
 
 static double cpu_milliseconds(void) {
@@ -93,7 +85,8 @@ static bool time_run(const Truth *truth, const TruthPicture *picture, TruthQuery
 }
 
 static void print_line(const char *name, const char *way, Times *times, int runs, int rays) {
-    double wall = median(times->wall, runs), cpu = median(times->cpu, runs);
+    double wall = statistics_median(times->wall, (size_t)runs),
+           cpu = statistics_median(times->cpu, (size_t)runs);
     printf("%-26s %-8s %9.1f %9.1f %9.1f", name, way, wall, cpu, rays / cpu * WIDTH * HEIGHT / 1e3);
     if (!isnan(times->mean))
         printf("   %.6f", times->mean);
@@ -140,7 +133,7 @@ static bool bench(void) {
         printf("%-35s %9s %9s %9s   %s\n", "", "wall", "cpu", "Mray/s", "mean lit");
         time_look(&truth, &picture);
     }
-    for (size_t i = 0; ok && i < sizeof cases / sizeof cases[0]; i++)
+    for (size_t i = 0; ok && i < COUNT(cases); i++)
         ok = time_case(&truth, &picture, &cases[i], visibility);
     truth_picture_destroy(&picture);
     truth_destroy(&truth);

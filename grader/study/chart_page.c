@@ -2,6 +2,7 @@
 
 #include "study/chart.h"
 #include "scene/check.h"
+#include "scene/count.h"
 #include "base/places.h"
 #include "study/pictures.h"
 #include "pages/page.h"
@@ -39,7 +40,7 @@ static char *read_template(void) {
     char path[FILES_PATH];
     places_path(path, "grader/study/chart_page.html");
     char *text = files_read(path, LIMIT);
-    for (size_t i = 0; text && i < sizeof parts / sizeof parts[0]; i++)
+    for (size_t i = 0; text && i < COUNT(parts); i++)
         text = insert(text, parts[i]);
     if (text && strstr(text, mark))
         return text;

@@ -1,6 +1,7 @@
 #include "study/finding.h"
 
 #include "scene/check.h"
+#include "base/statistics.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -29,8 +30,8 @@ static void summarise(const MeasuredTime *times, int count, double (*part)(const
     INVARIANT(values);
     for (int i = 0; i < count; i++)
         values[i] = part(&times[i]);
-    *median = pareto_median(values, count);
-    *mad = pareto_mad(values, count);
+    *median = statistics_median(values, (size_t)count);
+    *mad = statistics_mad(values, (size_t)count);
     free(values);
 }
 

@@ -1,11 +1,12 @@
 // The settings of the labs with shadow maps, 03 to 06.
 #include "study/method.h"
 #include "study/study_scenes.h"
+#include "scene/count.h"
 
 #include <stdio.h>
 
 static const int sizes[] = {256, 512, 1024, 2048, 4096};
-enum { SIZES = sizeof sizes / sizeof sizes[0] };
+enum { SIZES = COUNT(sizes) };
 
 // Values of the knob "method" of lab 04.
 enum { NONE, CONSTANT, SLOPE, OFFSET, FACES, NORMAL };
@@ -80,7 +81,7 @@ void methods_of_edges(MethodList *list) {
     const Filter filters[] = {hard, by_hand, linear, diagonals, box_5, gather};
     for (int i = 0; i < SIZES; i++) {
         method_add_map(list, "03", "basic map", sizes[i], "%s", "");
-        for (unsigned f = 0; f < sizeof filters / sizeof filters[0]; f++)
+        for (unsigned f = 0; f < COUNT(filters); f++)
             add_filter(list, filters[f], sizes[i]);
     }
 }
@@ -131,7 +132,7 @@ void methods_of_volumes(MethodList *list) {
     const Filter filters[] = {linear, gather};
     for (int i = 0; i < SIZES; i++) {
         method_add_map(list, "03", "basic map", sizes[i], "%s", "");
-        for (unsigned f = 0; f < sizeof filters / sizeof filters[0]; f++)
+        for (unsigned f = 0; f < COUNT(filters); f++)
             add_filter(list, filters[f], sizes[i]);
     }
     for (int z_fail = 0; z_fail < 2; z_fail++)

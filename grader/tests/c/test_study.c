@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/files.h"
+#include "base/statistics.h"
 #include "truth/closed_scenes.h"
 #include "study/csv.h"
 #include "study/edge.h"
@@ -14,7 +15,6 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -24,9 +24,9 @@
 static void test_median(void **unused) {
     (void)unused;
     double odd[2][5] = {{100, 2, 8, 1, 4}, {100, 2, 8, 1, 4}}, even[2][4] = {{10, 1, 3, 2}, {10, 1, 3, 2}};
-    assert_true(pareto_median(odd[0], 5) == 4 && pareto_mad(odd[1], 5) == 3);
-    assert_true(pareto_median(even[0], 4) == 2.5 && pareto_mad(even[1], 4) == 1);
-    assert_true(pareto_median((double[]){7}, 1) == 7 && pareto_mad((double[]){7}, 1) == 0);
+    assert_true(statistics_median(odd[0], 5) == 4 && statistics_mad(odd[1], 5) == 3);
+    assert_true(statistics_median(even[0], 4) == 2.5 && statistics_mad(even[1], 4) == 1);
+    assert_true(statistics_median((double[]){7}, 1) == 7 && statistics_mad((double[]){7}, 1) == 0);
 }
 
 static void test_front(void **unused) {

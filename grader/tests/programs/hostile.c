@@ -9,6 +9,7 @@
 //       lost WORDS          no frame, and the message holds the words
 //       uncompiled WORDS    no library, and the compiler's words or ours hold them (also WORDS|OTHER WORDS)
 #include "scene/check.h"
+#include "scene/count.h"
 #include "exam/worker_client.h"
 #include "compile/compiler.h"
 #include "base/places.h"
@@ -228,7 +229,7 @@ static void judge_leftovers(void) {
     static const char *const places[] = {"/tmp", "/var/tmp", "/dev/shm", "/run", "/", "/home"};
     int processes = 0, files = 0, strays = 0;
     INVARIANT(files_list("/proc", count_process, &processes) && files_list(suite.folder, count_file, &files));
-    for (unsigned i = 0; i < sizeof places / sizeof places[0]; i++) {
+    for (unsigned i = 0; i < COUNT(places); i++) {
         char path[FILES_PATH];
         files_join(path, places[i], "shadow-lab-hostile");
         strays += files_exists(path);
