@@ -2,21 +2,15 @@
 
 #include "scene/check.h"
 #include "base/files.h"
-#include "base/process.h"
+#include "base/gnuplot.h"
+#include "pages/curve_colors.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/wait.h>
 
-enum { COLORS = 10 };
-
-// Apart from each other also without red or green (Okabe, Ito: Color Universal Design, 2008), and in their
-// shapes.
-static const char *const colors[COLORS] = {"#0072b2", "#d55e00", "#009e73", "#b45a8c", "#b87d00",
-                                           "#2c8fc9", "#000000", "#7f7f00", "#6a3d9a", "#8c564b"};
-static const int shapes[COLORS] = {7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
+static const int shapes[CURVE_COLORS] = {7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
 
 static bool same_family(const Finding *finding, const char *family, bool submission) {
     return finding->method.submission == submission && strcmp(finding->method.family, family) == 0;
@@ -35,6 +29,11 @@ int chart_family(const Findings *findings, const char *family, bool submission) 
         number += is_new;
     }
     return -1;
+}
+
+const char *chart_color(const Findings *findings, const Method *method) {
+    return method->submission ? curve_color_of_submission
+                              : curve_colors[chart_family(findings, method->family, false) % CURVE_COLORS];
 }
 
 static void write_point(FILE *file, const Findings *findings, int i) {
@@ -143,30 +142,13 @@ static bool write_script(const Findings *findings, const char *path) {
         if (!is_first(findings, i))
             continue;
         int family = chart_family(findings, method->family, method->submission);
-        const char *color = method->submission ? "#dd0000" : colors[family % COLORS];
         fprintf(file,
                 ", \\\n  '' index %d using 1:2:3:4 with xerrorbars pt %d ps 0.7 lc rgb '%s' title '%s%s'",
-                family + 2, method->submission ? 2 : shapes[family % COLORS], color,
-                method->submission ? "submission: " : "", method->family);
+                family + 2, method->submission ? 2 : shapes[family % CURVE_COLORS],
+                chart_color(findings, method), method->submission ? "submission: " : "", method->family);
     }
     fputc('\n', file);
     return fclose(file) == 0 || check_fail("%s cannot be written", path);
-}
-
-static bool run_gnuplot(const char *folder, const char *script) {
-    static Process process;
-    char *arguments[] = {"gnuplot", (char *)script, NULL};
-    char *environment[] = {"PATH=/usr/local/bin:/usr/bin:/bin:/opt/homebrew/bin", "LC_ALL=C", NULL};
-    const ProcessLimits limits = {.wall_seconds = 60};
-    if (!process_start(&process, arguments, environment, folder, &limits))
-        return false;
-    process_wait(&process);
-    bool ok = process.state == PROCESS_ENDED && WIFEXITED(process.status) && WEXITSTATUS(process.status) == 0;
-    if (!ok)
-        check_fail("gnuplot could not draw %s/%s (is it installed? common/setup --test): %.300s", folder,
-                   script, process.text);
-    process_stop(&process);
-    return ok;
 }
 
 bool chart_draw(const Findings *findings, const char *folder) {
@@ -177,5 +159,5 @@ bool chart_draw(const Findings *findings, const char *folder) {
         return false;
     snprintf(file, sizeof file, "%s.gp", findings->scene->name);
     files_join(path, folder, file);
-    return write_script(findings, path) && run_gnuplot(folder, file);
+    return write_script(findings, path) && gnuplot_run(folder, file);
 }

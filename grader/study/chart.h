@@ -11,3 +11,6 @@ bool chart_draw(const Findings *findings, const char *folder);
 
 // The place of a family in the list of the scene's families, in the order of their first setting.
 int chart_family(const Findings *findings, const char *family, bool submission);
+
+// The color of a setting's family, "#rrggbb".
+const char *chart_color(const Findings *findings, const Method *method);

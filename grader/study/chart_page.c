@@ -108,12 +108,12 @@ static json_t *errors_json(const MeasuredErrors *e) {
 static json_t *point_json(const Findings *findings, int i, json_t *frame) {
     const Finding *f = &findings->findings[i];
     const Point *p = &findings->points[i];
-    json_t *point =
-        json_pack("{s:s, s:s, s:s, s:i, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab", f->method.lab,
-                  "method", f->method.family, "setting", f->method.name, "family",
-                  chart_family(findings, f->method.family, f->method.submission), "submission",
-                  f->method.submission, "front", p->on_front, "enough", f->enough, "chosen", f->chosen, "ms",
-                  p->ms, "mad", p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
+    json_t *point = json_pack("{s:s, s:s, s:s, s:i, s:s, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab",
+                              f->method.lab, "method", f->method.family, "setting", f->method.name, "family",
+                              chart_family(findings, f->method.family, f->method.submission), "color",
+                              chart_color(findings, &f->method), "submission", f->method.submission, "front",
+                              p->on_front, "enough", f->enough, "chosen", f->chosen, "ms", p->ms, "mad",
+                              p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
     json_t *rest = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:o, s:o}", "prepare", f->prepare_ms,
                              "prepareMad", f->prepare_mad, "error", p->error, "taps", f->cost.taps, "texels",
                              f->cost.texels, "fragments", f->cost.fragments, "rays", f->cost.rays, "frames",
