@@ -1,6 +1,6 @@
 #include "study/chart_page.h"
 
-#include "study/chart.h"
+#include "study/chart_svg.h"
 #include "scene/check.h"
 #include "scene/count.h"
 #include "base/places.h"
@@ -105,7 +105,7 @@ static json_t *errors_json(const MeasuredErrors *e) {
                      e->interior_false_light, "off", e->off);
 }
 
-static json_t *point_json(const Findings *findings, int i, json_t *frame) {
+static json_t *point_json(const SceneFindings *findings, int i, json_t *frame) {
     const Finding *f = &findings->findings[i];
     const Point *p = &findings->points[i];
     json_t *point = json_pack("{s:s, s:s, s:s, s:i, s:s, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab",
@@ -123,7 +123,7 @@ static json_t *point_json(const Findings *findings, int i, json_t *frame) {
     return point;
 }
 
-static bool add_points(json_t *points, const StudyPlan *plan, const Findings *findings) {
+static bool add_points(json_t *points, const StudyPlan *plan, const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++) {
         char path[FILES_PATH];
         if (!findings->findings[i].drawn)
@@ -137,7 +137,7 @@ static bool add_points(json_t *points, const StudyPlan *plan, const Findings *fi
     return true;
 }
 
-bool chart_page_add(FILE *file, const StudyPlan *plan, const Findings *findings, bool is_first) {
+bool chart_page_add(FILE *file, const StudyPlan *plan, const SceneFindings *findings, bool is_first) {
     char path[FILES_PATH], need[512];
     const StudyScene *scene = findings->scene;
     json_t *points = json_array();

@@ -1,4 +1,4 @@
-#include "study/chart.h"
+#include "study/chart_svg.h"
 
 #include "scene/check.h"
 #include "base/files.h"
@@ -16,7 +16,7 @@ static bool same_family(const Finding *finding, const char *family, bool submiss
     return finding->method.submission == submission && strcmp(finding->method.family, family) == 0;
 }
 
-int chart_family(const Findings *findings, const char *family, bool submission) {
+int chart_family(const SceneFindings *findings, const char *family, bool submission) {
     int number = 0;
     for (int i = 0; i < findings->count; i++) {
         const Finding *finding = &findings->findings[i];
@@ -31,19 +31,19 @@ int chart_family(const Findings *findings, const char *family, bool submission) 
     return -1;
 }
 
-const char *chart_color(const Findings *findings, const Method *method) {
+const char *chart_color(const SceneFindings *findings, const Method *method) {
     return method->submission ? curve_color_of_submission
                               : curve_colors[chart_family(findings, method->family, false) % CURVE_COLORS];
 }
 
-static void write_point(FILE *file, const Findings *findings, int i) {
+static void write_point(FILE *file, const SceneFindings *findings, int i) {
     const Point *point = &findings->points[i];
     fprintf(file, "%.6g %.6g %.6g %.6g\n", point->ms, fmax(point->error, CHART_LEAST_ERROR),
             fmax(point->ms - point->mad, point->ms / 2), point->ms + point->mad);
 }
 
 // Is this finding the first of its family?
-static bool is_first(const Findings *findings, int i) {
+static bool is_first(const SceneFindings *findings, int i) {
     const Method *method = &findings->findings[i].method;
     for (int j = 0; j < i; j++)
         if (same_family(&findings->findings[j], method->family, method->submission))
@@ -51,7 +51,7 @@ static bool is_first(const Findings *findings, int i) {
     return true;
 }
 
-static void write_family(FILE *file, const Findings *findings, const Method *method) {
+static void write_family(FILE *file, const SceneFindings *findings, const Method *method) {
     for (int i = 0; i < findings->count; i++)
         if (findings->findings[i].drawn &&
             same_family(&findings->findings[i], method->family, method->submission))
@@ -60,7 +60,7 @@ static void write_family(FILE *file, const Findings *findings, const Method *met
 }
 
 // The front from left to right: each point of it as gnuplot's `steps` want it.
-static void write_front(FILE *file, const Findings *findings) {
+static void write_front(FILE *file, const SceneFindings *findings) {
     double last = -1;
     for (int n = 0; n < findings->count; n++) {
         int next = -1;
@@ -78,7 +78,7 @@ static void write_front(FILE *file, const Findings *findings) {
 }
 
 // Blocks: the front, the chosen setting, then the families.
-static bool write_data(const Findings *findings, const char *path) {
+static bool write_data(const SceneFindings *findings, const char *path) {
     FILE *file = fopen(path, "w");
     if (!file)
         return check_fail("%s: %s", path, strerror(errno));
@@ -96,7 +96,7 @@ static bool write_data(const Findings *findings, const char *path) {
 }
 
 // A little more than from the smallest to the largest error.
-static void write_range(FILE *file, const Findings *findings) {
+static void write_range(FILE *file, const SceneFindings *findings) {
     double low = 1, high = CHART_LEAST_ERROR;
     for (int i = 0; i < findings->count; i++)
         if (findings->findings[i].drawn) {
@@ -125,7 +125,7 @@ static void write_axes(FILE *file, const StudyScene *scene) {
             scene->name, scene->title);
 }
 
-static bool write_script(const Findings *findings, const char *path) {
+static bool write_script(const SceneFindings *findings, const char *path) {
     FILE *file = fopen(path, "w");
     if (!file)
         return check_fail("%s: %s", path, strerror(errno));
@@ -151,7 +151,7 @@ static bool write_script(const Findings *findings, const char *path) {
     return fclose(file) == 0 || check_fail("%s cannot be written", path);
 }
 
-bool chart_draw(const Findings *findings, const char *folder) {
+bool chart_draw(const SceneFindings *findings, const char *folder) {
     char path[FILES_PATH], file[64];
     snprintf(file, sizeof file, "%s.dat", findings->scene->name);
     files_join(path, folder, file);
