@@ -1,6 +1,6 @@
 // skeletons OUTPUT [TASK]: writes the labs for students, made from solutions/: each source with every task
-// left to do (or solved up to TASK, "3.5"), the handout and its pictures, and nothing else. What is unchanged
-// is not rewritten.
+// left to do (or solved up to TASK, "3.5"), the handout and its pictures, and nothing else: sources that the
+// rubric does not list are the grader's. What is unchanged is not rewritten.
 #include "scene/check.h"
 #include "compile/lab_folder.h"
 #include "base/places.h"
@@ -12,6 +12,7 @@
 typedef struct Job {
     const char *output;
     Solved solved;
+    Rubric rubric; // of the lab that is being written
     char from[FILES_PATH], to[FILES_PATH];
     bool ok;
 } Job;
@@ -62,6 +63,13 @@ static bool write_skeleton(const char *from, const char *to, Solved solved) {
     return ok;
 }
 
+static bool is_students(const Rubric *rubric, const char *name) {
+    for (int i = 0; i < rubric->file_count; i++)
+        if (strcmp(rubric->files[i], name) == 0)
+            return true;
+    return false;
+}
+
 static void write_file(const char *name, void *context) {
     Job *job = context;
     char from[FILES_PATH], to[FILES_PATH];
@@ -71,7 +79,10 @@ static void write_file(const char *name, void *context) {
     files_join(to, job->to, name);
     bool source = ends_with(name, ".c") || ends_with(name, ".h") || ends_with(name, ".vert") ||
                   ends_with(name, ".frag") || ends_with(name, ".geom") || ends_with(name, ".glsl");
-    job->ok = source ? write_skeleton(from, to, job->solved) : copy_file(from, to);
+    if (!source)
+        job->ok = copy_file(from, to);
+    else if (is_students(&job->rubric, name))
+        job->ok = write_skeleton(from, to, job->solved);
 }
 
 static void write_lab(const char *id, void *context) {
@@ -81,7 +92,9 @@ static void write_lab(const char *id, void *context) {
         return;
     files_join(job->to, job->output, strrchr(job->from, '/') + 1);
     snprintf(folder, sizeof folder, "%.4000s/", job->to);
-    job->ok = files_make_folder(folder) && files_list(job->from, write_file, job);
+    job->ok = rubric_load(&job->rubric, job->from) && files_make_folder(folder) &&
+              files_list(job->from, write_file, job);
+    rubric_destroy(&job->rubric);
 }
 
 int main(int count, char **arguments) {
