@@ -84,8 +84,8 @@ static void make_slopes(Scene *scene, Random *random) {
     }
 }
 
-// A wall much thinner than the bias of a bad day stands on the floor; the camera looks at its foot on the
-// dark side.
+// A wall much thinner than the bias of a bad day stands on the floor; the camera looks at
+// its foot on the dark side.
 static void make_thin_wall(Scene *scene, Random *random) {
     float azimuth = random_range(random, 0, 360), height = random_range(random, 0.8f, 1.1f);
     vec3s foot = vec3_make(0, 0, 0);

@@ -1,4 +1,5 @@
 // The filters in the study, and the scene that shows texels and filters.
+#include "scene/count.h"
 #include "study/study_scene.h"
 #include "truth/closed_scenes.h"
 
@@ -69,7 +70,7 @@ static void add_box(MethodList *list, int size) {
 static void add_to_edges(MethodList *list) {
     const Filter filters[] = {hard, by_hand, linear, diagonals, box_5, gather};
     for (int i = 0; i < STUDY_SIZES; i++)
-        for (unsigned f = 0; f < sizeof filters / sizeof filters[0]; f++)
+        for (unsigned f = 0; f < COUNT(filters); f++)
             add_filter(list, filters[f], study_sizes[i]);
 }
 

@@ -1,5 +1,6 @@
 // What counting costs: fragments, which are the same at each run.
 #include "scene/check.h"
+#include "scene/count.h"
 #include "rows_counting.h"
 #include "truth/closed_scenes.h"
 
@@ -109,7 +110,7 @@ typedef struct Fill {
 static const Fill fills[] = {{"fragments of volumes", LAB_ID, &volume_fragments, expect_volumes},
                              {"texels of the map", "03", &map_texels, expect_texels},
                              {"lookups in the map", "03", &map_lookups, expect_lookups}};
-enum { FILL_COUNT = sizeof fills / sizeof *fills };
+enum { FILL_COUNT = COUNT(fills) };
 
 // Adds a point at x, in fragments a pixel, or in fragments for x = the picture's width.
 static bool add_point(LabSet *labs, const Fill *fill, Curve *curve, int count, int width, bool by_width) {
@@ -141,7 +142,7 @@ static bool run_fill(LabSet *labs, Findings *findings) {
     for (int f = 0; ok && f < FILL_COUNT; f++) {
         Curve *counts = figure_curve(by_count, fills[f].name, CURVE_EQUAL),
               *widths = figure_curve(by_width, fills[f].name, CURVE_EQUAL);
-        for (size_t i = 0; ok && i < sizeof some / sizeof *some; i++)
+        for (size_t i = 0; ok && i < COUNT(some); i++)
             ok = add_point(labs, &fills[f], counts, some[i], WIDTH, false);
         for (int width = LEAST_WIDTH; ok && width <= MOST_WIDTH; width *= 2)
             ok = add_point(labs, &fills[f], widths, 4, width, true);

@@ -1,6 +1,7 @@
 // Shadow volumes and what cuts them: the eye, the near plane, the far plane and the end of the depth buffer.
 #include "rows_counting.h"
 #include "truth/closed_scenes.h"
+#include "scene/count.h"
 
 enum { SIZE = COUNTING_SIZE };
 
@@ -79,7 +80,7 @@ static bool run_near(LabSet *labs, Findings *findings) {
 static bool sweep_far(const Counting *method, bool cut) {
     const float behind[] = {0.1f, 0.25f, 0.5f, 1, 1.5f, 2, 3, 4, 6, 8};
     bool ok = true;
-    for (size_t i = 0; ok && i < sizeof behind / sizeof *behind; i++) {
+    for (size_t i = 0; ok && i < COUNT(behind); i++) {
         Scene scene = wall_and_box(vec3_make(10, 0, 10), vec3_make(2, 0, 2), vec3_make(0.5f, 0.8f, 0.5f));
         scene.camera.far_plane = 10 + behind[i];
         ok = add_point(method, &scene, behind[i], scene.camera.far_plane, cut);

@@ -1,5 +1,6 @@
 // Ambient occlusion in the study, and the scene that it is seen in.
 #include "scene/atlas.h"
+#include "scene/count.h"
 #include "study/study_scene.h"
 #include "truth/closed_scenes.h"
 
@@ -54,7 +55,7 @@ static void add_methods(MethodList *list, const char *scene) {
     for (int density = 2; density <= 16; density *= 2)
         for (int rays = 4; rays <= 256 && density * density * rays <= 16384; rays *= 4)
             add_baked(list, density, rays);
-    for (unsigned i = 0; i < sizeof radii / sizeof radii[0]; i++) {
+    for (unsigned i = 0; i < COUNT(radii); i++) {
         Method *method = method_add(list, LAB_ID, "screen space", "radius %g", (double)radii[i]);
         setting_knob(&method->setting, "method", 1);
         setting_knob(&method->setting, "ray length", radii[i]);

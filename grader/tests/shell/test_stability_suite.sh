@@ -12,7 +12,7 @@ json() { # an expression over the rows of the latest run
 }
 valid() {
     python3 -c 'import json,sys,jsonschema
-jsonschema.validate(json.load(sys.stdin), json.load(open("grader/stability/schema.json")))' 2>/dev/null
+jsonschema.validate(json.load(sys.stdin), json.load(open("grader/stability/stability.schema.json")))' 2>/dev/null
 }
 
 # All rows, in the order of their numbers (the labs' rows and those that no lab has yet); under the sanitizers a few.

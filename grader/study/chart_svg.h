@@ -7,7 +7,10 @@
 #define CHART_LEAST_ERROR 1e-6
 
 // Writes folder/SCENE.dat and SCENE.gp and lets gnuplot make folder/SCENE.svg of them. False with a message.
-bool chart_draw(const Findings *findings, const char *folder);
+bool chart_draw(const SceneFindings *findings, const char *folder);
 
 // The place of a family in the list of the scene's families, in the order of their first setting.
-int chart_family(const Findings *findings, const char *family, bool submission);
+int chart_family(const SceneFindings *findings, const char *family, bool submission);
+
+// The color of a setting's family, "#rrggbb".
+const char *chart_color(const SceneFindings *findings, const Method *method);

@@ -1,28 +1,22 @@
-#include "study/chart.h"
+#include "study/chart_svg.h"
 
 #include "scene/check.h"
 #include "base/files.h"
-#include "base/process.h"
+#include "base/gnuplot.h"
+#include "pages/curve_colors.h"
 
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/wait.h>
 
-enum { COLORS = 10 };
-
-// Apart from each other also without red or green (Okabe, Ito: Color Universal Design, 2008), and in their
-// shapes.
-static const char *const colors[COLORS] = {"#0072b2", "#d55e00", "#009e73", "#b45a8c", "#b87d00",
-                                           "#2c8fc9", "#000000", "#7f7f00", "#6a3d9a", "#8c564b"};
-static const int shapes[COLORS] = {7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
+static const int shapes[CURVE_COLORS] = {7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
 
 static bool same_family(const Finding *finding, const char *family, bool submission) {
     return finding->method.submission == submission && strcmp(finding->method.family, family) == 0;
 }
 
-int chart_family(const Findings *findings, const char *family, bool submission) {
+int chart_family(const SceneFindings *findings, const char *family, bool submission) {
     int number = 0;
     for (int i = 0; i < findings->count; i++) {
         const Finding *finding = &findings->findings[i];
@@ -37,14 +31,19 @@ int chart_family(const Findings *findings, const char *family, bool submission) 
     return -1;
 }
 
-static void write_point(FILE *file, const Findings *findings, int i) {
+const char *chart_color(const SceneFindings *findings, const Method *method) {
+    return method->submission ? curve_color_of_submission
+                              : curve_colors[chart_family(findings, method->family, false) % CURVE_COLORS];
+}
+
+static void write_point(FILE *file, const SceneFindings *findings, int i) {
     const Point *point = &findings->points[i];
     fprintf(file, "%.6g %.6g %.6g %.6g\n", point->ms, fmax(point->error, CHART_LEAST_ERROR),
             fmax(point->ms - point->mad, point->ms / 2), point->ms + point->mad);
 }
 
 // Is this finding the first of its family?
-static bool is_first(const Findings *findings, int i) {
+static bool is_first(const SceneFindings *findings, int i) {
     const Method *method = &findings->findings[i].method;
     for (int j = 0; j < i; j++)
         if (same_family(&findings->findings[j], method->family, method->submission))
@@ -52,7 +51,7 @@ static bool is_first(const Findings *findings, int i) {
     return true;
 }
 
-static void write_family(FILE *file, const Findings *findings, const Method *method) {
+static void write_family(FILE *file, const SceneFindings *findings, const Method *method) {
     for (int i = 0; i < findings->count; i++)
         if (findings->findings[i].drawn &&
             same_family(&findings->findings[i], method->family, method->submission))
@@ -61,7 +60,7 @@ static void write_family(FILE *file, const Findings *findings, const Method *met
 }
 
 // The front from left to right: each point of it as gnuplot's `steps` want it.
-static void write_front(FILE *file, const Findings *findings) {
+static void write_front(FILE *file, const SceneFindings *findings) {
     double last = -1;
     for (int n = 0; n < findings->count; n++) {
         int next = -1;
@@ -79,7 +78,7 @@ static void write_front(FILE *file, const Findings *findings) {
 }
 
 // Blocks: the front, the chosen setting, then the families.
-static bool write_data(const Findings *findings, const char *path) {
+static bool write_data(const SceneFindings *findings, const char *path) {
     FILE *file = fopen(path, "w");
     if (!file)
         return check_fail("%s: %s", path, strerror(errno));
@@ -97,7 +96,7 @@ static bool write_data(const Findings *findings, const char *path) {
 }
 
 // A little more than from the smallest to the largest error.
-static void write_range(FILE *file, const Findings *findings) {
+static void write_range(FILE *file, const SceneFindings *findings) {
     double low = 1, high = CHART_LEAST_ERROR;
     for (int i = 0; i < findings->count; i++)
         if (findings->findings[i].drawn) {
@@ -126,7 +125,7 @@ static void write_axes(FILE *file, const StudyScene *scene) {
             scene->name, scene->title);
 }
 
-static bool write_script(const Findings *findings, const char *path) {
+static bool write_script(const SceneFindings *findings, const char *path) {
     FILE *file = fopen(path, "w");
     if (!file)
         return check_fail("%s: %s", path, strerror(errno));
@@ -143,33 +142,16 @@ static bool write_script(const Findings *findings, const char *path) {
         if (!is_first(findings, i))
             continue;
         int family = chart_family(findings, method->family, method->submission);
-        const char *color = method->submission ? "#dd0000" : colors[family % COLORS];
         fprintf(file,
                 ", \\\n  '' index %d using 1:2:3:4 with xerrorbars pt %d ps 0.7 lc rgb '%s' title '%s%s'",
-                family + 2, method->submission ? 2 : shapes[family % COLORS], color,
-                method->submission ? "submission: " : "", method->family);
+                family + 2, method->submission ? 2 : shapes[family % CURVE_COLORS],
+                chart_color(findings, method), method->submission ? "submission: " : "", method->family);
     }
     fputc('\n', file);
     return fclose(file) == 0 || check_fail("%s cannot be written", path);
 }
 
-static bool run_gnuplot(const char *folder, const char *script) {
-    static Process process;
-    char *arguments[] = {"gnuplot", (char *)script, NULL};
-    char *environment[] = {"PATH=/usr/local/bin:/usr/bin:/bin:/opt/homebrew/bin", "LC_ALL=C", NULL};
-    const ProcessLimits limits = {.wall_seconds = 60};
-    if (!process_start(&process, arguments, environment, folder, &limits))
-        return false;
-    process_wait(&process);
-    bool ok = process.state == PROCESS_ENDED && WIFEXITED(process.status) && WEXITSTATUS(process.status) == 0;
-    if (!ok)
-        check_fail("gnuplot could not draw %s/%s (is it installed? common/setup --test): %.300s", folder,
-                   script, process.text);
-    process_stop(&process);
-    return ok;
-}
-
-bool chart_draw(const Findings *findings, const char *folder) {
+bool chart_draw(const SceneFindings *findings, const char *folder) {
     char path[FILES_PATH], file[64];
     snprintf(file, sizeof file, "%s.dat", findings->scene->name);
     files_join(path, folder, file);
@@ -177,5 +159,5 @@ bool chart_draw(const Findings *findings, const char *folder) {
         return false;
     snprintf(file, sizeof file, "%s.gp", findings->scene->name);
     files_join(path, folder, file);
-    return write_script(findings, path) && run_gnuplot(folder, file);
+    return write_script(findings, path) && gnuplot_run(folder, file);
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-static void run(const Target *target, const Attack *attacks) {
+static void run(const AttackTarget *target, const Attack *attacks) {
     for (int i = 0; attacks[i].name; i++)
         if (!(attacks[i].only_draw && target->tools) && !(attacks[i].not_sanitized && target->sanitized) &&
             attacks[i].run(target))
@@ -24,13 +24,13 @@ static void need(bool possible, const char *name) {
 int main(int count, char **arguments) {
     if (count < 7)
         return 2;
-    const Target target = {.tools = strcmp(arguments[1], "tools") == 0,
-                           .visible = arguments[2],
-                           .out = arguments[3],
-                           .secret = arguments[4],
-                           .solutions = arguments[5],
-                           .grader = atoi(arguments[6]),
-                           .sanitized = count > 7 && strcmp(arguments[7], "sanitized") == 0};
+    const AttackTarget target = {.tools = strcmp(arguments[1], "tools") == 0,
+                                 .visible = arguments[2],
+                                 .out = arguments[3],
+                                 .secret = arguments[4],
+                                 .solutions = arguments[5],
+                                 .grader = atoi(arguments[6]),
+                                 .sanitized = count > 7 && strcmp(arguments[7], "sanitized") == 0};
     need(attack_read(target.visible), "reading a file of the submission");
     if (target.tools)
         need(attack_write(target.out, "made"), "writing the compiler's output");
