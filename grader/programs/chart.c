@@ -71,7 +71,7 @@ static void report(const SceneFindings *findings, FILE *needs) {
     fflush(stdout);
 }
 
-static bool study_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
+static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
     static SceneFindings findings;
     if (!measure_scene(plan, scene, &findings) || !chart_draw(&findings, plan->output))
         return false;
@@ -98,8 +98,8 @@ static bool study(const ChartOptions *options, StudyPlan *plan) {
     if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
     csv_head(output.csv.out);
-    for (const StudyScene *scene = study_scenes; scene->name; scene++)
-        if (chart_options_want(options, scene) && !study_scene(plan, scene, &output))
+    for (int i = 0; study_scene(i); i++)
+        if (chart_options_want(options, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
     if (output.scenes == 0)
         return check_fail("no scene of the study has settings of lab %s", options->lab);

@@ -2,16 +2,8 @@
 #pragma once
 
 #include "study/pareto.h"
-#include "study/study_scenes.h"
+#include "study/study_scene.h"
 #include "study/measurements.h"
-
-// What a frame costs on any machine, as the setting has it.
-typedef struct Cost {
-    double taps;      // lookups of a pixel in the map or atlas; with early-out the mean over the picture
-    double texels;    // of the map or the atlas
-    double fragments; // of the shadow volumes, hidden or not
-    double rays;      // of a bake
-} Cost;
 
 typedef struct Finding {
     Method method;

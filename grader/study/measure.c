@@ -35,8 +35,7 @@ static MeasuredTime sum_passes(const Finding *finding, const float *milliseconds
 
 bool measure_concerns(const StudyScene *scene, const char *lab) {
     static MethodList list;
-    list.count = 0;
-    scene->add_methods(&list);
+    study_add_methods(&list, scene);
     for (int i = 0; i < list.count; i++)
         if (strcmp(list.methods[i].lab, lab) == 0)
             return true;
@@ -224,8 +223,7 @@ static bool measure_ground(StudyPlan *plan, const TruthView *truth_view, SceneFi
 
 static void list_methods(const StudyPlan *plan, const StudyScene *scene, SceneFindings *findings) {
     static MethodList list;
-    list.count = 0;
-    scene->add_methods(&list);
+    study_add_methods(&list, scene);
     *findings = (SceneFindings){.scene = scene};
     for (int i = 0; i < list.count; i++)
         findings->findings[findings->count++].method = list.methods[i];
