@@ -130,7 +130,8 @@ static float cpu_milliseconds(void) {
 static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) {
     gl_reset();
     frame_bind(frame);
-    glDrawBuffer(GL_COLOR_ATTACHMENT0); // of the picture, in which an earlier frame may have left another
+    glDrawBuffer(GL_COLOR_ATTACHMENT0); // of the picture, in which an earlier frame may have left others
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
     vec3s background = frame->flat_light ? vec3_make(0, 0, 0) : frame->scene->background;
     glClearColor(background.x, background.y, background.z, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
