@@ -80,7 +80,7 @@ study: $(if $(HAS_STUDY),build $(BUILD)/chart) ## chart speed against error: mak
 	$(if $(HAS_STUDY),$(BUILD)/chart $(LAB_OPTION) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) \
 		$(ARGS),@echo "make study measures the solutions; they are not in this kit: ask your course" >&2; exit 2)
 
-chart: build $(BUILD)/chart ## measure the study anew and put its chart and its findings into README.md
+chart: build $(BUILD)/chart ## measure the study again and put its chart and its findings into README.md
 	@$(SCRIPTS)/publish_chart $(BUILD) $(ARGS)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)

@@ -1,6 +1,6 @@
 #include "gl_state.h"
 
-#define COUNT(array) (sizeof(array) / sizeof(array)[0])
+#include "scene/count.h"
 
 static GLuint limit_of(GLenum name) {
     GLint value = 0;

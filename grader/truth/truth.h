@@ -60,7 +60,7 @@ typedef struct TruthArea {
     vec3s center, right, up; // world
 } TruthArea;
 
-// Samples are stratified and drawn anew for each tile of 4 x 4 pixels, whose pixels share them.
+// Samples are stratified and drawn again for each tile of 4 x 4 pixels, whose pixels share them.
 typedef struct TruthQuery {
     TruthKind kind;
     int light;       // TRUTH_LIGHT
