@@ -47,6 +47,9 @@ skeletons: build ## make labs/ from solutions/
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@$(SCRIPTS)/pictures $(LAB)
 
+contexts: build ## do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
+	@$(SCRIPTS)/contexts $(BUILD) $(LAB)
+
 table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@$(SCRIPTS)/table
 
