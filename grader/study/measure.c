@@ -140,7 +140,7 @@ static bool time_frame(StudyPlan *plan, const TruthView *truth_view, Finding *fi
            (!counts || measurements_add_time(&plan->state, &time));
 }
 
-// A setting's turn: its resources are made anew, and the first frame, which touches them first, does not
+// A setting's turn: its resources are made again, and the first frame, which touches them first, does not
 // count.
 static bool take_turn(StudyPlan *plan, const TruthView *truth_view, Finding *finding) {
     if (finding->method.submission)
