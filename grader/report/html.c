@@ -13,7 +13,7 @@ static void write_check(Page *page, const CheckResult *check) {
             check->passed ? "passed" : "failed", check->check->task);
     page_text(page, check->check->name);
     fprintf(page->out, "%s</td><td class=\"number\">%.2f of %d</td><td>",
-            check->check->optional ? " <span class=\"faint\">(optional)</span>" : "", result_points(check),
+            check->check->optional ? " <span class=\"quiet\">(optional)</span>" : "", result_points(check),
             check->check->points);
     if (check->has_cause) {
         fputs("<strong>", page->out);
@@ -69,10 +69,10 @@ static void write_evidence(Page *page, const LabResult *lab, int c) {
         "the line: yours</span><span>right: reference</span></div></div>\n<div>",
         check->check->task);
     page_picture(page, &parts[EVIDENCE_DIFFERENCE], "difference", "difference");
-    fputs("<span class=\"faint\">difference</span></div>\n<div>", page->out);
+    fputs("<span class=\"quiet\">difference</span></div>\n<div>", page->out);
     page_picture(page, &parts[EVIDENCE_CROP], "crop",
                  "yours, reference and difference side by side, enlarged where most is wrong");
-    fputs("<span class=\"faint\">enlarged where most is wrong: yours, reference, difference</span></div>\n",
+    fputs("<span class=\"quiet\">enlarged where most is wrong: yours, reference, difference</span></div>\n",
           page->out);
     write_caption(page, check);
     fputs("</figure>\n", page->out);
@@ -110,7 +110,7 @@ char *report_html(const Report *report, const char *name) {
     Page page;
     if (!page_begin(&page, name[0] ? name : "Shadow Lab"))
         return NULL;
-    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"faint\">(seed %llu, %s", result_score(report),
+    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"quiet\">(seed %llu, %s", result_score(report),
             result_max_score(report), (unsigned long long)report->seed, report->context);
     fputs(report->renderer[0] ? ", " : "", page.out);
     page_text(&page, report->renderer);
