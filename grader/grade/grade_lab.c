@@ -127,6 +127,16 @@ void grade_pictures(LabResult *result, const Exam *exam) {
         result->status = passed ? LAB_PASSED : LAB_FAILED;
 }
 
+bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c) {
+    CheckResult *check = &result->checks[c];
+    bool alive = true;
+    float milliseconds;
+    for (int n = 0; alive && n < check->check->variants; n++)
+        alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &milliseconds);
+    score_check(check, exam->variants[c]);
+    return check->passed;
+}
+
 void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed) {
     Ratios ratios = {0};
     bool alive = true;
