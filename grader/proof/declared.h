@@ -19,6 +19,7 @@ typedef struct Declarations {
     int count;
 } Declarations;
 
+// Finds at most DECLARED_MAX of them; the rest is as if it were not declared.
 void declared_find(Declarations *declarations, const Source *source);
 
 // What piece i names; NULL when that is not declared here.

@@ -4,6 +4,7 @@
 #include "base/progress_bar.h"
 #include "exam/lab_exam.h"
 #include "proof/equal.h"
+#include "proof/mutations.h"
 #include "proof/trial.h"
 #include "scene/check.h"
 
@@ -48,7 +49,7 @@ static void list_changes(Round *round) {
         Source source;
         source_read(&source, rubric->files[i], round->court.texts[i]);
         round->mutants.file = i;
-        mutants_list(&round->mutants, &source);
+        mutations_list(&round->mutants, &source);
         source_destroy(&source);
     }
 }

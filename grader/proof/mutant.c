@@ -1,6 +1,5 @@
 #include "proof/mutant.h"
 
-#include "proof/mutations.h"
 #include "scene/check.h"
 
 #include <ctype.h>
@@ -62,7 +61,7 @@ static void take(Mutants *mutants, Mutant mutant) {
         return;
     }
     if (mutants->count == mutants->room) {
-        mutants->room = mutants->room ? 2 * mutants->room : 256;
+        mutants->room = 2 * mutants->room + 256;
         mutants->list = realloc(mutants->list, (size_t)mutants->room * sizeof *mutants->list);
         INVARIANT(mutants->list);
     }
@@ -94,15 +93,6 @@ void mutants_add_each(Mutants *mutants, const Source *source, int i, const char 
         length = strcspn(texts, " ");
         mutants_add(mutants, source, i, i, "%.*s", (int)length, texts);
     }
-}
-
-void mutants_list(Mutants *mutants, const Source *source) {
-    mutations_of_numbers(mutants, source);
-    mutations_of_operators(mutants, source);
-    mutations_of_names(mutants, source);
-    mutations_of_variables(mutants, source);
-    mutations_of_statements(mutants, source);
-    mutations_of_calls(mutants, source);
 }
 
 void mutants_destroy(Mutants *mutants) {

@@ -22,9 +22,6 @@ typedef struct Mutants {
     int file; // that mutants_add writes into new ones
 } Mutants;
 
-// All changes of the answers in the source, in the order of kinds.
-void mutants_list(Mutants *mutants, const Source *source);
-
 // Adds the change of the pieces first to last into a text, as by printf; not when they already read so, when
 // one of them belongs to no answer, or when the same change is there.
 void mutants_add(Mutants *mutants, const Source *source, int first, int last, const char *format, ...)

@@ -1,5 +1,6 @@
 #include "proof/mutations.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +22,8 @@ static void change_number(Mutants *mutants, const Source *source, int i) {
     snprintf(model, sizeof model, "%.*s", (int)source->pieces[i].length, source->pieces[i].text);
     const double n = strtod(model, NULL);
     const bool whole = !strpbrk(model, ".");
-    const double values[CHANGES] = {0, 1, n + 1, n - 1, 2 * n, whole ? (long)n / 2 : n / 2, -n};
+    const double half = whole ? trunc(n / 2) : n / 2;
+    const double values[CHANGES] = {0, 1, n + 1, n - 1, 2 * n, half, -n};
     for (int k = 0; k < CHANGES; k++) {
         if (values[k] == n)
             continue;

@@ -1,7 +1,10 @@
-// The kinds of small changes: each adds its own for all answers of a source.
+// The kinds of small changes.
 #pragma once
 
 #include "proof/mutant.h"
+
+// Adds all changes of the answers in the source, kind after kind. Each of the others adds its kind.
+void mutations_list(Mutants *mutants, const Source *source);
 
 // A number n becomes 0, 1, n + 1, n - 1, 2 n, n / 2 and -n.
 void mutations_of_numbers(Mutants *mutants, const Source *source);

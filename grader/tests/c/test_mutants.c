@@ -1,5 +1,6 @@
 // The small changes of a solution: where they are made, which ones, and which equal.json names.
 #include "proof/equal.h"
+#include "proof/mutations.h"
 
 #include "base/files.h"
 #include "compile/task_blocks.h"
@@ -37,7 +38,7 @@ static Mutants list(const char *name, const char *text) {
     Mutants mutants = {0};
     Source source;
     source_read(&source, name, text);
-    mutants_list(&mutants, &source);
+    mutations_list(&mutants, &source);
     source_destroy(&source);
     return mutants;
 }

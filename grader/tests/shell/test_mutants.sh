@@ -33,7 +33,7 @@ mutants --lab 03 --only "(3.7): <= ->"
 expect "an entry without its change" 1 "refused: lab 03: equal.json names a change that there is not: shadow.frag:"
 equal "["
 mutants --lab 03
-expect "an equal.json that is none" 3 "equal.json:1"
+expect "an equal.json that is none" 3 "equal.json:2: "
 rm $three/equal.json
 
 # Changes of C are compiled anew, crashes and what does not compile are told apart.
