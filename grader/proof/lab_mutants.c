@@ -97,7 +97,7 @@ static void work(Outcome *outcome, void *context) {
 static void finished(const Outcome *outcome, void *context) {
     Round *round = context;
     Fate *fate = &round->fates[outcome->job];
-    progress_bar_step(&round->bar);
+    progress_bar_step(&round->bar, NULL, !outcome->done);
     fate->verdict = (Verdict)outcome->score;
     snprintf(fate->told, sizeof fate->told, "%.*s", TRIAL_TEXT - 1, outcome->reason);
     if (outcome->done || round->broken)
@@ -129,7 +129,7 @@ static bool run_seed(Round *round, int seed, const MutantSettings *settings) {
     if (count > 0) {
         round->court.exam = lab_exam_exam(&round->examiner, &options);
         lab_exam_rest(&round->examiner); // no process of the pool may share our worker
-        progress_bar_begin(&round->bar, round->examiner.rubric.id, 0, count);
+        progress_bar_begin(&round->bar, stderr, round->examiner.rubric.id, count, 0);
         ok = round->court.exam && pool_run(&pool, jobs, count) && !round->broken;
         progress_bar_end(&round->bar);
         lab_exam_forget(&round->examiner);

@@ -17,6 +17,10 @@ enum {
     PROTOCOL_LINE = 128
 };
 
+// With this the worker says on standard error, before it dies by a signal, in which pass that is; the lab's
+// own words may come before it.
+#define PROTOCOL_PLACE "\nworker: in "
+
 // Views that are not a stage of the lab.
 #define VIEW_PICTURE "picture"       // the frame as its viewer sees it
 #define VIEW_VISIBILITY "visibility" // lit white, shadow black, whatever the colours

@@ -150,7 +150,7 @@ static bool take_turn(StudyPlan *plan, const TruthView *truth_view, Finding *fin
     for (int i = 0; ok && i < TURN && finding->frames < plan->frames; i++) {
         ok = time_frame(plan, truth_view, finding, true);
         finding->frames++;
-        progress_bar_step(&plan->bar);
+        progress_bar_step(&plan->bar, NULL, false);
     }
     return ok || excuse(finding);
 }
@@ -207,10 +207,10 @@ static bool measure_ground(StudyPlan *plan, const TruthView *truth_view, SceneFi
         ok = find_errors(plan, truth_view, findings->scene, &findings->findings[i]);
     if (!ok)
         return false;
-    progress_bar_begin(&plan->bar, findings->scene->name, count_known(plan, findings),
-                       plan->frames * findings->count);
+    progress_bar_begin(&plan->bar, stderr, findings->scene->name, plan->frames * findings->count,
+                       count_known(plan, findings));
     ok = take_turns(plan, truth_view, findings);
-    progress_bar_end(&plan->bar);
+    fprintf(stderr, "%s: done in %.0f s\n", findings->scene->name, progress_bar_end(&plan->bar));
     if (ok)
         sum_up(plan, truth_view, findings);
     return ok;
