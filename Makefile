@@ -44,6 +44,10 @@ site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: 
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
 
+new-lab: ## begin a new lab from a template: make new-lab LAB=09 NAME="soft shadows"
+	@mkdir -p $(BUILD)
+	@$(SCRIPTS)/new_lab $(BUILD) "$$LAB" "$$NAME" # from the environment, as they are
+
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@$(SCRIPTS)/pictures $(LAB)
 
