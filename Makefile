@@ -57,6 +57,9 @@ contexts: build ## do OSMesa and EGL give the same verdicts on the whole catalog
 table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@$(SCRIPTS)/table
 
+mutants: build ## does each rubric notice every small change of its solution? make mutants [LAB=03] [ARGS="--seeds 3"]
+	$(BUILD)/mutants $(LAB_OPTION) $(ARGS)
+
 test: build tests ## run all tests
 	@grader/tests/run $(BUILD)
 
