@@ -30,13 +30,13 @@ static bool is_file(const Rubric *rubric, const char *name) {
 
 static bool read_change(EqualList *list, const Rubric *rubric, json_t *json, const char *why) {
     EqualChange *change = &list->changes[list->count++];
-    *change = (EqualChange){text_of(json, "file"),
-                            text_of(json, "line"),
-                            text_of(json, "from"),
-                            why,
-                            json_object_get(json, "to"),
-                            (int)json_integer_value(json_object_get(json, "nth")),
-                            0};
+    *change = (EqualChange){.file = text_of(json, "file"),
+                            .line = text_of(json, "line"),
+                            .from = text_of(json, "from"),
+                            .why = why,
+                            .task = text_of(json, "task"),
+                            .to = json_object_get(json, "to"),
+                            .nth = (int)json_integer_value(json_object_get(json, "nth"))};
     if (!is_file(rubric, change->file) || !change->line || !change->from)
         return check_fail("%s/equal.json: change %d needs a \"file\" of the lab, \"line\" and \"from\"",
                           rubric->folder, list->count);
@@ -96,7 +96,8 @@ static bool line_has(const char *text, size_t at, const char *part) {
 static bool names(const EqualChange *change, const Mutant *mutant) {
     size_t i;
     json_t *to;
-    if (change->nth > 0 && change->nth != mutant->nth)
+    if ((change->nth > 0 && change->nth != mutant->nth) ||
+        (change->task && strcmp(change->task, mutant->task) != 0))
         return false;
     if (!change->to)
         return true;
