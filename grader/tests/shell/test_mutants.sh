@@ -43,6 +43,8 @@ mutants --lab 03 --only "(3.5): return depth"
 expect "no kind of its own" 0 "| 03 | 0 | 0 |"
 mutants --lab 03 --only "(3.5): xy -> y"
 expect "a swizzle" 0 "| 03 | 2 | 2 | 2 | 0 | 0 | 100.0 |"
+mutants --lab 06 --only "(6.2): sqrtf(square.y) ->"
+expect "a change of a header" 0 "| 06 | 1 | 1 | 1 | 0 | 0 | 100.0 |"
 mutants --lab 01 --only "(1.1): max(facing, 0.0) ->"
 expect "a dropped max" 0 "| 01 | 2 | 2 | 2 | 0 | 0 | 100.0 |"
 sed -i 's/    if (position_light_clip.w <= 0.0)/    while (position_light_clip.w <= 0.0)/' $three/shadow.frag
