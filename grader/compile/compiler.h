@@ -8,8 +8,9 @@
 
 enum { COMPILE_LOG = 16 * 1024 };
 
-// Compiles folder/lab.c with fixed arguments and limits, in the jail (NULL: it is our own, outside). `log`
-// gets what gcc says (errors or warnings). False with a message when there is no lab.so.
+// Compiles folder/lab.c, which is given what given_place has placed there (else everything), with fixed
+// arguments and limits, in the jail (NULL: it is our own, outside). `log` gets what gcc says (errors or
+// warnings). False with a message when there is no lab.so.
 bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG]);
 
 // Replaces "@0xOFFSET@" in `text` by "lab.c:LINE", from the debug information of folder/lab.so, which is read
