@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { RESULT_TEXT = 8000, RESULT_MAX_LABS = 16 };
+enum { RESULT_TEXT = 8000 };
 
 // Pictures of the worst variant of a failed check; the last is an enlarged crop of the others side by side.
 enum { EVIDENCE_YOURS, EVIDENCE_REFERENCE, EVIDENCE_DIFFERENCE, EVIDENCE_CROP, EVIDENCE_PARTS };
@@ -46,7 +46,7 @@ typedef struct Report {
     char renderer[128];
     double seconds;
     int lab_count;
-    LabResult *labs; // RESULT_MAX_LABS, owned
+    LabResult *labs; // COURSE_MAX_LABS, owned
 } Report;
 
 // As in the JSON: "passed", ...

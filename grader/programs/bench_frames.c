@@ -1,6 +1,7 @@
 // bench_frames NN: milliseconds of a lab's frames, of scoring and of writing PNG. For `make bench`; not a
 // test.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
 #include "base/places.h"

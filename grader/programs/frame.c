@@ -1,5 +1,6 @@
 // frame: draws one frame of one of our labs to a PNG; the pictures of the handouts are made with it.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
 #include "base/places.h"

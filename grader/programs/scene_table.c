@@ -1,6 +1,7 @@
 // scenes: what each lab's scenes are made of, and how much the graded views need it; prints a table
 // (Markdown, for grader/README.md).
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "proof/scene_needs.h"
 #include "base/places.h"
 

@@ -31,7 +31,7 @@ typedef struct Watch {
     LabBoard board;
     GradingProcess bench;
     Viewer viewer;
-    FileWatch changes[RESULT_MAX_LABS];
+    FileWatch changes[COURSE_MAX_LABS];
     bool entered; // the lab on the desk has just come there, and is to be graded
     bool listing, dirty, end;
     int marked; // in the list

@@ -1,5 +1,6 @@
 #include "worker/loaded_lab.h"
 
+#include "base/limits.h"
 #include "worker/primitives_view.h"
 #include "scene/shader_source.h"
 
@@ -9,9 +10,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { MAX_LABS = 128 };
-
-static LoadedLab *hosted_labs[MAX_LABS];
+static LoadedLab *hosted_labs[EXAM_MAX_PAINTERS];
 static const char *running;
 
 static bool load_lab(LoadedLab *hosted) {
@@ -47,9 +46,9 @@ static bool load(LoadedLab *hosted, const char *shader_folder) {
 
 LoadedLab *loaded_lab_find(const char *folder, const char *shader_folder) {
     int i = 0;
-    while (i < MAX_LABS && hosted_labs[i] && strcmp(hosted_labs[i]->folder, folder) != 0)
+    while (i < EXAM_MAX_PAINTERS && hosted_labs[i] && strcmp(hosted_labs[i]->folder, folder) != 0)
         i++;
-    if (i == MAX_LABS)
+    if (i == EXAM_MAX_PAINTERS)
         return NULL;
     if (!hosted_labs[i] && (hosted_labs[i] = calloc(1, sizeof *hosted_labs[i]))) {
         snprintf(hosted_labs[i]->folder, sizeof hosted_labs[i]->folder, "%s", folder);
@@ -228,7 +227,7 @@ const char *loaded_lab_running(void) {
 }
 
 void loaded_lab_destroy(void) {
-    for (int i = 0; i < MAX_LABS && hosted_labs[i]; i++) {
+    for (int i = 0; i < EXAM_MAX_PAINTERS && hosted_labs[i]; i++) {
         destroy_lab(hosted_labs[i]);
         free(hosted_labs[i]);
         hosted_labs[i] = NULL;

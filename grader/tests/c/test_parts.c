@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "base/process.h"
 #include "scene/random.h"
-#include "compile/rubric.h"
+#include "compile/rubric_file.h"
 #include "scene/scene.h"
 #include "scene/shader_source.h"
 
