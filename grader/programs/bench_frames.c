@@ -136,7 +136,7 @@ int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
     if (count != 2 || !bench(arguments[1])) {
         fprintf(stderr, "bench_frames: %s\n", count == 2 ? check_message() : "usage: bench_frames NN");
-        return count == 2 ? 1 : 2;
+        return count == 2 ? 3 : 2;
     }
     return 0;
 }

@@ -47,6 +47,7 @@ bool lab_board_create(LabBoard *board, const char *folder, const char *id) {
         return false;
     snprintf(board->message, sizeof board->message, "%s", board->progress.note);
     int lab = id ? find_lab(board, id) : 0;
+    board->current = lab;
     if (lab < 0)
         return check_fail("there is no lab \"%s\"; give two digits as in labs/, for instance LAB=02", id);
     lab_board_turn_to(board, lab);
