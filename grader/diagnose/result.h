@@ -21,6 +21,7 @@ typedef struct CheckResult {
     bool undone;            // the cause: a task is not done yet, rather than done wrong
     const char *cause_task; // where to look; NULL when it is the check's own task
     char mistake[256], hint[1500];
+    char kind[256]; // the mistake without the numbers of these pictures: the same for all who made it
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
     Image evidence[EVIDENCE_PARTS]; // owned; empty when the check passed or nobody asked for it
 } CheckResult;

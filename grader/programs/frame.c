@@ -170,8 +170,8 @@ int main(int count, char **arguments) {
     Rubric rubric = {0};
     bool found = places_find_lab(folder, options.lab) || check_fail("there is no lab \"%s\"", options.lab);
     bool known = found && rubric_load(&rubric, folder);
-    bool ok = known &&
-              (options.job ? write_job(&options, &rubric) : draw(&options, &rubric, arguments[count - 1]));
+    bool ok =
+        known && (options.job ? write_job(&options, &rubric) : draw(&options, &rubric, arguments[count - 1]));
     if (!ok)
         fprintf(stderr, "frame: %s\n", check_message());
     rubric_destroy(&rubric);

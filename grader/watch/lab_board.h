@@ -34,7 +34,8 @@ typedef struct LabBoard {
 } LabBoard;
 
 // Reads the rubrics and the progress; puts the lab "03" on the desk, or with NULL the first that is not done.
-// False with a message; then `current` is below 0 when there is no such lab, and 0 when something cannot be read.
+// False with a message; then `current` is below 0 when there is no such lab, and 0 when something cannot be
+// read.
 bool lab_board_create(LabBoard *board, const char *folder, const char *id);
 void lab_board_destroy(LabBoard *board); // accepts a zeroed desk
 

@@ -11,7 +11,12 @@
 #include <time.h>
 
 static LoadedLab *hosted_labs[EXAM_MAX_PAINTERS];
-static const char *running;
+static const char NOTHING[] = "the lab";
+static char running[LAB_MAX_NAME] = "the lab"; // a copy: what the lab holds may be damaged when it crashes
+
+static void set_running(const char *what) {
+    snprintf(running, sizeof running, "%s", what);
+}
 
 static bool load_lab(LoadedLab *hosted) {
     char path[4096];
@@ -36,11 +41,11 @@ static bool load_programs(LoadedLab *hosted) {
 }
 
 static bool load(LoadedLab *hosted, const char *shader_folder) {
-    running = "the start";
+    set_running("the start");
     shader_source_folders(hosted->folder, shader_folder);
     hosted->ready = load_lab(hosted) && load_programs(hosted);
     snprintf(hosted->failure, sizeof hosted->failure, "%s", check_message());
-    running = NULL;
+    set_running(NOTHING);
     return hosted->ready;
 }
 
@@ -110,7 +115,7 @@ static bool ensure_created(LoadedLab *hosted, const Request *request, Frame *fra
         return false;
     frame->framebuffer = hosted->picture.framebuffer;
     hosted->created = true;
-    running = "create";
+    set_running("create");
     gl_reset();
     return hosted->lab->create(frame) || check_fail("create returned false");
 }
@@ -129,12 +134,12 @@ static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++) {
         float start = cpu_milliseconds();
-        running = lab->passes[i].name;
+        set_running(lab->passes[i].name);
         lab->passes[i].draw(frame);
         glFinish();
         milliseconds[i] = cpu_milliseconds() - start;
     }
-    running = NULL;
+    set_running(NOTHING);
 }
 
 static uint8_t quantise_channel(float value) {
