@@ -18,5 +18,9 @@ void gl_clear_error(void);
 // The offset in lab.so of the innermost of the `count` return addresses that lies in it; 0 when none does.
 unsigned long gl_caller(void *const *frames, int count);
 
-// Checks that the framebuffer bound to GL_FRAMEBUFFER is complete; the message names `what` and the reason.
+// Checks that the framebuffer bound to GL_FRAMEBUFFER is complete, or where it was unbound already (0), the
+// last one that was bound. The message names `what` and the reason.
 bool gl_check_framebuffer(const char *what);
+
+// From now on no framebuffer counts as the last one that was bound.
+void gl_forget_framebuffer(void);

@@ -18,7 +18,7 @@ bool lab_folder_can_change(const Rubric *rubric, const Change *change);
 
 // From a submission: copies only the files that the rubric names to the new folder `folder` and compiles
 // them in the jail (NULL: the grader's own user trusts it). `log` gets gcc's words. False with a message that
-// names the file that is missing, strange or wrong.
+// names the file that is missing, unusual or wrong.
 bool lab_folder_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                            char log[COMPILE_LOG]);
 

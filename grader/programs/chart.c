@@ -112,7 +112,7 @@ static bool study(const ChartOptions *options, StudyPlan *plan) {
     return ok;
 }
 
-// Strangers' code is compiled and run in a jail.
+// Untrusted code is compiled and run in a jail.
 static bool choose_jail(const ChartOptions *options, StudyPlan *plan, Jail *jail) {
     if (!options->submission || options->trusted)
         return true;
