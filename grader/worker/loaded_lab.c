@@ -63,10 +63,10 @@ LoadedLab *loaded_lab_find(const char *folder, const char *shader_folder) {
 }
 
 static void destroy_lab(LoadedLab *hosted) {
-    running = "destroy";
+    set_running("destroy");
     if (hosted->created)
         hosted->lab->destroy();
-    running = NULL;
+    set_running(NOTHING);
     hosted->created = false;
     target_destroy(&hosted->picture);
     target_destroy(&hosted->readback);
