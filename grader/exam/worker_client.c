@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-enum { MEMORY_MIB = 2048 };
+enum { MEMORY_MIB = 2048, MAX_RESTARTS = 16 };
 
 #if defined(__SANITIZE_ADDRESS__)
 static const bool limits_memory = false; // the sanitizer reserves terabytes of addresses
@@ -50,7 +50,7 @@ bool worker_client_start(WorkerClient *client) {
                                       .file_mib = ours ? 0 : 1};
     else if (!ours)
         plan.limits = (ProcessLimits){.wall_seconds = wall_seconds(client),
-                                      .cpu_seconds = (unsigned)client->seconds + 1,
+                                      .cpu_seconds = (unsigned)(client->seconds - client->used_seconds) + 1,
                                       .memory_mib = limits_memory ? MEMORY_MIB : 0,
                                       .file_mib = 1};
     client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
@@ -62,7 +62,8 @@ static bool used_up_its_time(const WorkerClient *client) {
     const Process *process = &client->process;
     int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
     return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
-           (number == SIGKILL && !client->each_turn && process->cpu_seconds >= client->seconds);
+           (number == SIGKILL && !client->each_turn &&
+            process->cpu_seconds >= client->seconds - client->used_seconds);
 }
 
 static void append_place(const WorkerClient *client, const Request *request, Reply *reply) {
@@ -73,14 +74,18 @@ static void append_place(const WorkerClient *client, const Request *request, Rep
 }
 
 // What the worker said of itself in its last record; a lab may have written that, or prevented it.
+static void append_pass(const WorkerClient *client, const Request *request, Reply *reply) {
+    if (reply->magic != PROTOCOL_CRASHED)
+        return;
+    check_append(reply->message, sizeof reply->message, " in %s", reply->pass);
+    append_place(client, request, reply);
+}
+
 static void explain_crash(const WorkerClient *client, const Request *request, Reply *reply) {
     const Process *process = &client->process;
     snprintf(reply->message, sizeof reply->message, "it crashed: %s (%s)",
              strsignal(WTERMSIG(process->status)), sigabbrev_np(WTERMSIG(process->status)));
-    if (reply->magic == PROTOCOL_CRASHED) {
-        check_append(reply->message, sizeof reply->message, " in %s", reply->pass);
-        append_place(client, request, reply);
-    }
+    append_pass(client, request, reply);
     if (process->peak_mib > MEMORY_MIB / 2)
         check_append(reply->message, sizeof reply->message,
                      "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib, MEMORY_MIB);
@@ -95,7 +100,9 @@ static DrawResult explain_end(const WorkerClient *client, const Request *request
         return DRAW_LOST;
     }
     if (used_up_its_time(client)) {
-        snprintf(text, size, "it was stopped after %.0f s: is there an endless loop?", client->seconds);
+        snprintf(text, size, "it was stopped after %.0f s", client->seconds);
+        append_pass(client, request, reply);
+        check_append(text, size, ": is there an endless loop?");
         return DRAW_TIMEOUT;
     }
     if (WIFSIGNALED(process->status))
@@ -124,6 +131,8 @@ static DrawResult exchange(WorkerClient *client, const Request *request, void *p
     bool ok = (client->started || worker_client_start(client)) &&
               process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
               process_exchange(process, NULL, 0, payload, size);
+    if (!ok && reply->magic != PROTOCOL_CRASHED && !process_take_rest(process, reply, sizeof *reply))
+        memset(reply, 0, sizeof *reply);
     clean_reply(reply);
     if (!ok) {
         memset(payload, 0, size);
@@ -162,6 +171,17 @@ DrawResult worker_client_describe(WorkerClient *client, const Request *request, 
 void worker_client_begin(WorkerClient *client) {
     if (client->started && (client->trust == TRUST_NOBODY || client->each_turn))
         client->process.deadline = process_now() + wall_seconds(client);
+}
+
+bool worker_client_restart(WorkerClient *client) {
+    const double deadline = client->process.deadline;
+    worker_client_stop(client);
+    client->used_seconds += client->process.cpu_seconds;
+    if (++client->restarts > MAX_RESTARTS || client->used_seconds >= client->seconds ||
+        process_now() >= deadline || !worker_client_start(client))
+        return false;
+    client->process.deadline = deadline;
+    return true;
 }
 
 void worker_client_stop(WorkerClient *client) {

@@ -10,7 +10,7 @@
 enum {
     PROTOCOL_MAGIC = 0x32424c53,
     PROTOCOL_CRASHED =
-        0x58424c53, // the magic of a worker's last Reply, which nothing follows: see `pass` and `place`
+        0x58424c53,        // the magic of a worker's last Reply, as it dies by a signal; nothing follows
     PROTOCOL_REQUESTS = 0, // the worker's descriptors
     PROTOCOL_REPLIES = 3,
     PROTOCOL_MAX_SIZE = 4096, // width and height

@@ -41,7 +41,7 @@ static void watch_crashes(void) {
     backtrace(&frame, 1); // loads libgcc now, not inside the handler
     sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack}, NULL);
     struct sigaction action = {.sa_handler = report_crash, .sa_flags = SA_ONSTACK | SA_RESETHAND};
-    const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU};
     for (unsigned i = 0; i < COUNT(signals); i++)
         sigaction(signals[i], &action, NULL);
 }
