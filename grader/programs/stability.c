@@ -1,77 +1,72 @@
 // stability: where each method breaks. Runs the rows, prints a line for each, and writes what they found.
 #include "scene/check.h"
+#include "base/command_line.h"
 #include "base/files.h"
+#include "base/option_values.h"
 #include "base/places.h"
 #include "stability/plot.h"
 #include "stability/row_json.h"
 #include "stability/suite_html.h"
 
-#include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char usage[] =
-    "usage: build/stability [options]\n"
-    "  --row N            only this row; may be repeated\n"
-    "  --output DIR       writes stability.json, .html and the figures (default build/study)\n"
-    "  --mistake NN:NAME  lab NN is drawn with a mistake of its mistakes.json\n";
-
-typedef struct Options {
+typedef struct StabilityCommand {
     bool rows[ROW_COUNT + 1];
-    char output[FILES_PATH];
+    const char *output;
+    char fault_lab[3];
     LabSet labs;
-} Options;
+} StabilityCommand;
 
-static bool take_row(Options *options, const char *text) {
-    char *end;
-    long number = strtol(text, &end, 10);
-    if (end == text || *end || !row_find((int)number))
-        return check_fail("--row takes the number of a row, 1 to %d, not \"%s\"", ROW_COUNT, text);
-    options->rows[number] = true;
-    return true;
-}
-
-static bool take_mistake(Options *options, char *text) {
-    char *colon = strchr(text, ':');
-    if (!colon)
-        return check_fail("--mistake takes NN:NAME, not \"%s\"", text);
-    *colon = '\0';
-    options->labs.fault_lab = text;
-    options->labs.fault = colon + 1;
-    return true;
-}
-
-static bool take_option(Options *options, int option, char *value) {
-    switch (option) {
-    case 'r':
-        return take_row(options, value);
-    case 'm':
-        return take_mistake(options, value);
-    case 'o':
-        snprintf(options->output, sizeof options->output, "%s", value);
-        return true;
-    default:
-        return check_fail("unknown option, or one without its value");
+static bool take_row(void *target, const char *text) {
+    StabilityCommand *command = target;
+    int number;
+    if (!option_whole(&number, text, 1, ROW_COUNT) || !row_find(number)) {
+        check_clear();
+        return check_fail("takes the number of a row, 1 to %d, not \"%s\"", ROW_COUNT, text);
     }
+    return command->rows[number] = true;
 }
 
-static bool parse(Options *options, int count, char **arguments) {
-    static const struct option table[] = {{"row", required_argument, NULL, 'r'},
-                                          {"output", required_argument, NULL, 'o'},
-                                          {"mistake", required_argument, NULL, 'm'},
-                                          {0}};
-    places_build_path(options->output, "study");
-    opterr = 0;
-    for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;)
-        if (!take_option(options, option, optarg))
-            return false;
-    bool all = memchr(options->rows, true, sizeof options->rows) == NULL;
-    for (int i = 1; all && i <= ROW_COUNT; i++)
-        options->rows[i] = true;
-    return optind == count || check_fail("\"%s\" is not an option", arguments[optind]);
+static bool take_mistake(void *target, const char *text) {
+    StabilityCommand *command = target;
+    const char *colon = strchr(text, ':');
+    char lab[8] = "";
+    if (!colon || colon == text || !colon[1])
+        return check_fail("takes NN:NAME, not \"%s\"", text);
+    snprintf(lab, sizeof lab, "%.*s", (int)(colon - text), text);
+    command->labs.fault_lab = command->fault_lab;
+    command->labs.fault = colon + 1;
+    return option_lab(command->fault_lab, lab);
 }
+
+static const Option options[] = {
+    {"row", 0, "N", "only this row; may be repeated", 0, take_row},
+    {"output", 0, "DIR", "writes stability.json, .html and the figures (default build/study)",
+     offsetof(StabilityCommand, output), option_text},
+    {"mistake", 0, "NN:NAME", "lab NN is drawn with a mistake of its mistakes.json", 0, take_mistake},
+    {0}};
+
+static bool check(void *settings, const Operands *operands) {
+    StabilityCommand *command = settings;
+    const bool all = memchr(command->rows, true, sizeof command->rows) == NULL;
+    (void)operands;
+    for (int i = 1; all && i <= ROW_COUNT; i++)
+        command->rows[i] = true;
+    return true;
+}
+
+static const CommandLine command_line = {
+    .program = "stability",
+    .forms = "[options]",
+    .about = "Shows where each method breaks: runs the rows, prints a line for each, and writes what they "
+             "found.\n",
+    .options = options,
+    .ending = "exit status: 0; 1 a row fails; 2 usage\n",
+    .check = check,
+};
 
 static void print_line(const RowResult *result) {
     printf("%2d  %-9s  %-22s ", result->row->number, row_status_name(result->status), result->row->name);
@@ -108,23 +103,23 @@ static bool write_page(const RowResult *results, int count, const char *folder) 
 }
 
 // The number of rows that ran; *failed is that of those that fail.
-static int run_rows(Options *options, RowResult *results, int *failed) {
+static int run_rows(StabilityCommand *command, RowResult *results, int *failed) {
     int count = 0;
     *failed = 0;
     for (int i = 1; i <= ROW_COUNT; i++)
-        if (options->rows[i] && row_find(i)) {
-            row_run(&results[count], row_find(i), &options->labs);
+        if (command->rows[i] && row_find(i)) {
+            row_run(&results[count], row_find(i), &command->labs);
             print_line(&results[count]);
             *failed += results[count++].status == ROW_FAIL;
         }
-    lab_set_close(&options->labs);
+    lab_set_close(&command->labs);
     return count;
 }
 
-static int run(Options *options) {
+static int run(StabilityCommand *command) {
     static RowResult results[ROW_COUNT];
-    int failed, count = run_rows(options, results, &failed);
-    const char *folder = options->output;
+    int failed, count = run_rows(command, results, &failed);
+    const char *folder = command->output;
     check_clear();
     bool ok = files_make_folder(folder) && write_json(results, count, folder) &&
               plot_all(results, count, folder) && write_page(results, count, folder);
@@ -138,11 +133,11 @@ static int run(Options *options) {
 }
 
 int main(int count, char **arguments) {
-    static Options options;
+    static StabilityCommand command;
+    char standard[FILES_PATH];
+    places_build_path(standard, "study");
+    command.output = standard;
+    command_line_take(&command_line, &command, count, arguments);
     signal(SIGPIPE, SIG_IGN);
-    if (!parse(&options, count, arguments)) {
-        fprintf(stderr, "stability: %s\n%s", check_message(), usage);
-        return 2;
-    }
-    return run(&options);
+    return run(&command);
 }
