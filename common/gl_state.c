@@ -1,5 +1,7 @@
 #include "gl_state.h"
 
+#include "scene/count.h"
+
 static void unbind_textures(void) {
     for (GLenum unit = 0; unit < 8; unit++) {
         glActiveTexture(GL_TEXTURE0 + unit);
@@ -14,7 +16,7 @@ void gl_reset(void) {
     static const GLenum off[] = {GL_BLEND,         GL_STENCIL_TEST,        GL_SCISSOR_TEST,
                                  GL_DEPTH_CLAMP,   GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB,
                                  GL_COLOR_LOGIC_OP};
-    for (unsigned i = 0; i < sizeof off / sizeof off[0]; i++)
+    for (unsigned i = 0; i < COUNT(off); i++)
         glDisable(off[i]);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);

@@ -61,6 +61,6 @@ mat4s camera_view_from_world(const Camera *camera);
 // aspect = width / height of the picture.
 mat4s camera_clip_from_view(const Camera *camera, float aspect);
 
-// From the world to the clip space of the light's map: perspective for a spot light, orthographic for a
-// directional one.
+// From the world to the clip space of the light's map: perspective for a spot light,
+// orthographic for a directional one.
 mat4s scene_light_clip_from_world(const Light *light);

@@ -1,6 +1,7 @@
 #include "class/grade_tables.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 #include "class/index.h"
 #include "class/table.h"
 
@@ -12,7 +13,7 @@
 // effect.
 static bool is_dangerous(const char *text) {
     static const char *const begins[] = {"=", "+", "-", "@", "'", "\uff1d", "\uff0b", "\uff0d", "\uff20"};
-    for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++)
+    for (size_t i = 0; i < COUNT(begins); i++)
         if (strncmp(text, begins[i], strlen(begins[i])) == 0)
             return true;
     return false;

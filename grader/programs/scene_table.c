@@ -10,10 +10,10 @@
 
 enum { SEEDS = 4 };
 
-typedef struct Table {
+typedef struct SceneTable {
     WorkerClient worker; // draws all labs
     bool broken;
-} Table;
+} SceneTable;
 
 static void print_row(const char *id, const SceneNeeds *economy) {
     char text[ECONOMY_TEXT];
@@ -22,7 +22,7 @@ static void print_row(const char *id, const SceneNeeds *economy) {
 }
 
 static void print_lab(const char *id, void *context) {
-    Table *table = context;
+    SceneTable *table = context;
     static SceneNeeds economies[ECONOMY_MAX_SCENES];
     char folder[FILES_PATH];
     Rubric rubric = {0};
@@ -44,7 +44,7 @@ static const CommandLine command_line = {
 };
 
 int main(int count, char **arguments) {
-    Table table = {0};
+    SceneTable table = {0};
     command_line_take(&command_line, NULL, count, arguments);
     signal(SIGPIPE, SIG_IGN);
     printf("| lab | scene | planes | boxes | spheres | triangles | least need, %% |\n");

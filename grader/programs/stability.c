@@ -14,7 +14,9 @@
 #include <string.h>
 
 typedef struct StabilityCommand {
-    bool rows[ROW_COUNT + 1];
+    const Row *rows[ROW_MOST]; // all, in order
+    bool chosen[ROW_MOST];
+    int row_count;
     const char *output;
     char fault_lab[3];
     LabSet labs;
@@ -22,12 +24,18 @@ typedef struct StabilityCommand {
 
 static bool take_row(void *target, const char *text) {
     StabilityCommand *command = target;
-    int number;
-    if (!option_whole(&number, text, 1, ROW_COUNT) || !row_find(number)) {
+    char numbers[1024] = "";
+    int number = -1;
+    bool found = false;
+    if (!option_whole(&number, text, 0, 9999))
         check_clear();
-        return check_fail("takes the number of a row, 1 to %d, not \"%s\"", ROW_COUNT, text);
+    for (int i = 0; i < command->row_count; i++) {
+        const int own = command->rows[i]->number;
+        command->chosen[i] = command->chosen[i] || own == number;
+        found = found || own == number;
+        check_append(numbers, sizeof numbers, "%s%d", i ? ", " : "", own);
     }
-    return command->rows[number] = true;
+    return found || check_fail("takes the number of a row, not \"%s\"; the rows are %s", text, numbers);
 }
 
 static bool take_mistake(void *target, const char *text) {
@@ -51,10 +59,9 @@ static const Option options[] = {
 
 static bool check(void *settings, const Operands *operands) {
     StabilityCommand *command = settings;
-    const bool all = memchr(command->rows, true, sizeof command->rows) == NULL;
     (void)operands;
-    for (int i = 1; all && i <= ROW_COUNT; i++)
-        command->rows[i] = true;
+    if (memchr(command->chosen, true, sizeof command->chosen) == NULL)
+        memset(command->chosen, true, sizeof command->chosen);
     return true;
 }
 
@@ -106,9 +113,9 @@ static bool write_page(const RowResult *results, int count, const char *folder) 
 static int run_rows(StabilityCommand *command, RowResult *results, int *failed) {
     int count = 0;
     *failed = 0;
-    for (int i = 1; i <= ROW_COUNT; i++)
-        if (command->rows[i] && row_find(i)) {
-            row_run(&results[count], row_find(i), &command->labs);
+    for (int i = 0; i < command->row_count; i++)
+        if (command->chosen[i]) {
+            row_run(&results[count], command->rows[i], &command->labs);
             print_line(&results[count]);
             *failed += results[count++].status == ROW_FAIL;
         }
@@ -117,7 +124,7 @@ static int run_rows(StabilityCommand *command, RowResult *results, int *failed) 
 }
 
 static int run(StabilityCommand *command) {
-    static RowResult results[ROW_COUNT];
+    static RowResult results[ROW_MOST];
     int failed, count = run_rows(command, results, &failed);
     const char *folder = command->output;
     check_clear();
@@ -137,6 +144,7 @@ int main(int count, char **arguments) {
     char standard[FILES_PATH];
     places_build_path(standard, "study");
     command.output = standard;
+    command.row_count = row_list(command.rows);
     command_line_take(&command_line, &command, count, arguments);
     signal(SIGPIPE, SIG_IGN);
     return run(&command);

@@ -1,7 +1,8 @@
 #include "study/chart_page.h"
 
-#include "study/chart.h"
+#include "study/chart_svg.h"
 #include "scene/check.h"
+#include "scene/count.h"
 #include "base/places.h"
 #include "study/pictures.h"
 #include "pages/page.h"
@@ -39,7 +40,7 @@ static char *read_template(void) {
     char path[FILES_PATH];
     places_path(path, "grader/study/chart_page.html");
     char *text = files_read(path, LIMIT);
-    for (size_t i = 0; text && i < sizeof parts / sizeof parts[0]; i++)
+    for (size_t i = 0; text && i < COUNT(parts); i++)
         text = insert(text, parts[i]);
     if (text && strstr(text, mark))
         return text;
@@ -104,15 +105,15 @@ static json_t *errors_json(const MeasuredErrors *e) {
                      e->interior_false_light, "off", e->off);
 }
 
-static json_t *point_json(const Findings *findings, int i, json_t *frame) {
+static json_t *point_json(const SceneFindings *findings, int i, json_t *frame) {
     const Finding *f = &findings->findings[i];
     const Point *p = &findings->points[i];
-    json_t *point =
-        json_pack("{s:s, s:s, s:s, s:i, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab", f->method.lab,
-                  "method", f->method.family, "setting", f->method.name, "family",
-                  chart_family(findings, f->method.family, f->method.submission), "submission",
-                  f->method.submission, "front", p->on_front, "enough", f->enough, "chosen", f->chosen, "ms",
-                  p->ms, "mad", p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
+    json_t *point = json_pack("{s:s, s:s, s:s, s:i, s:s, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab",
+                              f->method.lab, "method", f->method.family, "setting", f->method.name, "family",
+                              chart_family(findings, f->method.family, f->method.submission), "color",
+                              chart_color(findings, &f->method), "submission", f->method.submission, "front",
+                              p->on_front, "enough", f->enough, "chosen", f->chosen, "ms", p->ms, "mad",
+                              p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
     json_t *rest = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:o, s:o}", "prepare", f->prepare_ms,
                              "prepareMad", f->prepare_mad, "error", p->error, "taps", f->cost.taps, "texels",
                              f->cost.texels, "fragments", f->cost.fragments, "rays", f->cost.rays, "frames",
@@ -122,7 +123,7 @@ static json_t *point_json(const Findings *findings, int i, json_t *frame) {
     return point;
 }
 
-static bool add_points(json_t *points, const StudyPlan *plan, const Findings *findings) {
+static bool add_points(json_t *points, const StudyPlan *plan, const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++) {
         char path[FILES_PATH];
         if (!findings->findings[i].drawn)
@@ -136,7 +137,7 @@ static bool add_points(json_t *points, const StudyPlan *plan, const Findings *fi
     return true;
 }
 
-bool chart_page_add(FILE *file, const StudyPlan *plan, const Findings *findings, bool is_first) {
+bool chart_page_add(FILE *file, const StudyPlan *plan, const SceneFindings *findings, bool is_first) {
     char path[FILES_PATH], need[512];
     const StudyScene *scene = findings->scene;
     json_t *points = json_array();

@@ -1,6 +1,7 @@
 #include "study/edge.h"
 
 #include "study/pareto.h"
+#include "base/statistics.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -90,20 +91,13 @@ static double side_at(const TruthView *truth_view, const TruthHit *hit) {
     return largest_stretch(picture_from_map);
 }
 
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
 double edge_map_side(const TruthView *truth_view) {
     size_t pixels = (size_t)truth_view->size.width * (size_t)truth_view->size.height, count = 0;
     double *sides = calloc(pixels, sizeof *sides);
     for (size_t i = 0; sides && i < pixels; i++)
         if (truth_view->distance[i] < 1 && truth_view->facing[i] > METRICS_LEAST_FACING)
             sides[count++] = side_at(truth_view, &truth_view->picture.hits[i]);
-    if (count > 0)
-        qsort(sides, count, sizeof *sides, compare);
-    double side = count > 0 ? sides[count * 95 / 100] : 0;
+    double side = count > 0 ? statistics_percentile(sides, count, 95) : 0;
     free(sides);
     return side;
 }

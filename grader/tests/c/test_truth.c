@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 enum { SIZE = 800, SAMPLES = 1024, TILES = 64, SEED = 5 };
 
@@ -234,7 +235,7 @@ static void test_refusals(void **unused) {
                                   {.kind = TRUTH_LIGHTS},
                                   {.kind = TRUTH_DISC},
                                   {.kind = TRUTH_OCCLUSION, .samples = TRUTH_MAX_SAMPLES + 1}};
-    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+    for (size_t i = 0; i < COUNT(refused); i++) {
         check_clear();
         assert_false(truth_trace(&truth, &picture, &refused[i], visibility));
         assert_true(strlen(check_message()) > 0);

@@ -118,7 +118,7 @@ expect "a loop that ignores SIGXCPU" 0 '"status": "timeout"' "it was stopped aft
 python3 - "$work/whole" <<'PYTHON' && ok || bad "records and class.json fit their schemas"
 import glob, json, sys, jsonschema
 load = lambda path: json.load(open(path))
-lab, record, plan = load("grader/report/schema.json"), load("grader/class/record.schema.json"), load("grader/class/class.schema.json")
+lab, record, plan = load("grader/report/report.schema.json"), load("grader/class/record.schema.json"), load("grader/class/class.schema.json")
 jsonschema.validate(load(f"{sys.argv[1]}/class.json"), plan)
 for path in glob.glob(f"{sys.argv[1]}/results/*.json"):
     jsonschema.validate(load(path), record)
