@@ -78,7 +78,7 @@ $(BUILD)/tables/%.c: always
 		$(foreach table,$(call tables,$*),'extern const $(firstword $(TABLE_$*)) $(table)[];') \
 		'const $(firstword $(TABLE_$*)) *const $*_tables[] = {$(foreach table,$(call tables,$*),$(table), )NULL};' >$@.new
 	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
-$(BUILD)/tables/%.o: $(BUILD)/tables/%.c
+$(BUILD)/tables/%.o: $(BUILD)/tables/%.c | $(BUILD)/include/glad/gl.h
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 always:
 

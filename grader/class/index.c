@@ -271,7 +271,7 @@ char *index_page(const Table *table) {
     if (!page_begin(&page, "Shadow Lab: the class"))
         return NULL;
     fprintf(page.out,
-            "<p>%d submissions, %d graded, %d not graded <span class=\"faint\">(seed %llu)</span></p>\n",
+            "<p>%d submissions, %d graded, %d not graded <span class=\"quiet\">(seed %llu)</span></p>\n",
             table->roster->count, graded, table->roster->count - graded,
             (unsigned long long)table->plan->seed);
     fputs("<h2>Scores</h2>\n", page.out);

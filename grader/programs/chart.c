@@ -200,7 +200,7 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
     return ok;
 }
 
-// Strangers' code is compiled and run in a jail.
+// Untrusted code is compiled and run in a jail.
 static bool choose_jail(const ChartCommand *command, StudyPlan *plan, Jail *jail) {
     if (!command->submission || command->trusted)
         return true;

@@ -61,7 +61,7 @@ static bool take_only(void *target, const char *name) {
 #define AT(field) offsetof(GradeCommand, field)
 static const Option options[] = {
     {"lab", 0, "NN", "only this lab; may be repeated", AT(class.labs), option_labs},
-    {"seed", 0, "N", "the variants of an earlier run (default: drawn anew)", AT(class), take_seed},
+    {"seed", 0, "N", "the variants of an earlier run (default: drawn at random)", AT(class), take_seed},
     {"context", 0, "C", "osmesa (default) or egl; also SHADOW_LAB_CONTEXT", AT(class.context),
      option_context},
     {"format", 0, "F", "text (default), json, html, gradescope or check50", AT(format), take_format},

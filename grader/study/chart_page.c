@@ -2,70 +2,44 @@
 
 #include "study/chart_svg.h"
 #include "scene/check.h"
-#include "scene/count.h"
-#include "base/places.h"
+#include "base/files.h"
 #include "study/pictures.h"
 #include "pages/page.h"
+#include "pages/template.h"
 
 #include <errno.h>
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LIMIT = 1 << 20 };
-static const char mark[] = "/*DATA*/"; // where the data stands in chart_page.html
+static const char template_file[] = "grader/study/chart_page.html", scenes[] = "scenes";
 
-// Puts the file of this name in grader/study/ where its name stands as a comment. Frees the text; NULL with a
-// message.
-static char *insert(char *text, const char *name) {
-    char path[FILES_PATH], relative[64], comment[64];
-    snprintf(relative, sizeof relative, "grader/study/%s", name);
-    snprintf(comment, sizeof comment, "/*%s*/", name);
-    places_path(path, relative);
-    char *part = files_read(path, LIMIT), *at = strstr(text, comment), *whole = NULL;
-    if (part && at) {
-        size_t size = strlen(text) + strlen(part) + 1;
-        whole = malloc(size);
-        INVARIANT(whole);
-        snprintf(whole, size, "%.*s%s%s", (int)(at - text), text, part, at + strlen(comment));
-    } else if (part)
-        check_fail("chart_page.html has no %s; restore the file", comment);
-    free(part);
-    free(text);
-    return whole;
-}
-
-static char *read_template(void) {
-    static const char *const parts[] = {"chart_page.css", "chart_page_error.js", "chart_page.js"};
-    char path[FILES_PATH];
-    places_path(path, "grader/study/chart_page.html");
-    char *text = files_read(path, LIMIT);
-    for (size_t i = 0; text && i < COUNT(parts); i++)
-        text = insert(text, parts[i]);
-    if (text && strstr(text, mark))
-        return text;
-    if (text)
-        check_fail("%s: no %s in it; restore the file", path, mark);
-    free(text);
-    return NULL;
-}
-
-bool chart_page_begin(FILE *file) {
-    char *text = read_template();
-    if (!text)
-        return false;
-    fwrite(text, 1, (size_t)(strstr(text, mark) - text), file);
-    free(text);
+// Writes the template from where it is up to the hole of the scenes, or to its end; other holes name files.
+static bool write_template(Template *template, FILE *out) {
+    const char *hole;
+    char file[FILES_PATH];
+    while ((hole = template_next(template, out)) && strcmp(hole, scenes) != 0) {
+        files_join(file, "grader/study", hole);
+        if (out && !template_copy(out, file))
+            return false;
+    }
     return true;
 }
 
-bool chart_page_end(FILE *file) {
-    char *text = read_template();
-    if (!text)
-        return false;
-    fputs(strstr(text, mark) + strlen(mark), file);
-    free(text);
-    return true;
+bool chart_page_begin(FILE *out) {
+    Template template = {0};
+    bool ok = page_begin_shell(out, "Speed against accuracy", "grader/study/chart_page.css") &&
+              template_open(&template, template_file) && write_template(&template, out);
+    template_close(&template);
+    return ok;
+}
+
+bool chart_page_end(FILE *out) {
+    Template template = {0};
+    bool ok = template_open(&template, template_file) && write_template(&template, NULL) &&
+              write_template(&template, out) && page_end_shell(out);
+    template_close(&template);
+    return ok;
 }
 
 static bool read_bytes(const char *path, uint8_t **bytes, size_t *size) {

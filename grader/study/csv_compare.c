@@ -63,7 +63,7 @@ static bool read_table(CsvTable *table, const char *path) {
     fclose(file);
     if (ok && number > 0)
         return true;
-    return check_fail("%s:%d: not a chart.csv of this version; make it anew with make study", path, number);
+    return check_fail("%s:%d: not a chart.csv of this version; make it again with make study", path, number);
 }
 
 static const CsvRow *find(const CsvTable *table, const CsvRow *wanted) {

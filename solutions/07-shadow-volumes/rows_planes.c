@@ -180,7 +180,7 @@ const Row LAB_TABLE[] = {
      SIGHT, run_near},
     {21, "far plane", "z-fail", "the far plane moves away behind the wall",
      "With a finite far plane the volumes are cut off behind the wall, and z-fail is wrong where the plane's "
-     "point is in a volume. A projection without a far plane, or GL_DEPTH_CLAMP, mends it at any distance.",
+     "point is in a volume. A projection without a far plane, or GL_DEPTH_CLAMP, fixes it at any distance.",
      SIGHT, run_far},
     {22, "open sky", "z-fail", "the width of a plate between a lamp and the sky",
      "A far cap at infinity has depth 1, and so has the empty sky. GL_LESS lets the cap fail there, and "

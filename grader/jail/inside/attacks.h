@@ -1,4 +1,4 @@
-// What strangers' code may try, tried by us.
+// What untrusted code may try, tried by us.
 #pragma once
 
 #include <stdbool.h>

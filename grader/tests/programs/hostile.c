@@ -159,7 +159,8 @@ static const char *judge_frame(const AttackCase *one, DrawResult result) {
 static void run_frame(AttackCase *one) {
     static Request request;
     request = (Request){.magic = PROTOCOL_MAGIC, .width = 32, .height = 24, .view = VIEW_PICTURE};
-    INVARIANT(scene_make(&request.scene, "table spot", &(Random){1}));
+    bool made = scene_make(&request.scene, "table spot", &(Random){1});
+    INVARIANT(made);
     if (strcmp(one->must, "timeout") == 0)
         one->client.seconds = SECONDS;
     DrawResult result = worker_client_draw(&one->client, &request, &one->image, &one->reply);
@@ -228,7 +229,9 @@ static void count_file(const char *name, void *context) {
 static void judge_leftovers(void) {
     static const char *const places[] = {"/tmp", "/var/tmp", "/dev/shm", "/run", "/", "/home"};
     int processes = 0, files = 0, strays = 0;
-    INVARIANT(files_list("/proc", count_process, &processes) && files_list(suite.folder, count_file, &files));
+    bool listed =
+        files_list("/proc", count_process, &processes) && files_list(suite.folder, count_file, &files);
+    INVARIANT(listed);
     for (unsigned i = 0; i < COUNT(places); i++) {
         char path[FILES_PATH];
         files_join(path, places[i], "shadow-lab-hostile");

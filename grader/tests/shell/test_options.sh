@@ -117,7 +117,7 @@ for script in "$scripts"/*; do
     [[ -x $script ]] || continue
     helps "$name" "$script"
     [[ $name == @(publish_chart|bench_class) ]] || refuses "$name --frobnicate" "--frobnicate" "$script" --frobnicate
-    [[ $name == @(publish_chart|bench_class|floors) ]] || refuses "$name: too many" "one operand too many" "$script" 3 b c d
+    [[ $name == @(publish_chart|bench_class|contexts|floors) ]] || refuses "$name: too many" "one operand too many" "$script" 3 b c d
 done
 helps setup "$root/common/setup"
 refuses "setup --frobnicate" "usage: common/setup" "$root/common/setup" --frobnicate
@@ -127,14 +127,14 @@ refuses "floors: an operand" "unrecognized arguments: up" "$scripts/floors" up
 refuses "bench_class: no lab" 'there is no lab "7x"' "$scripts/bench_class" "$bin" --labs 7x
 refuses "bench_class: no count" "no list of counts" "$scripts/bench_class" "$bin" --counts many
 refuses "table: no table" '"chairs" is no table' "$scripts/table" chairs
-for script in bench gates make_kit make_gradescope publish_chart; do
+for script in bench contexts gates make_kit make_gradescope publish_chart; do
     refuses "$script without BUILD" "BUILD is missing" "$scripts/$script"
 done
 for lab in "${not_labs[@]}"; do
     for script in reset trace pictures; do
         [[ $lab == -* ]] || refuses "$script \"$lab\"" "there are 01, 02, 03" "$scripts/$script" "$lab"
     done
-    for script in make_kit make_gradescope; do
+    for script in contexts make_kit make_gradescope; do
         [[ $lab == -* ]] || refuses "$script \"$lab\"" "there are 01, 02, 03" "$scripts/$script" "$bin" "$lab"
     done
     refuses "bench \"$lab\"" "there are 01, 02, 03" env LAB="$lab" "$scripts/bench" "$bin"
@@ -145,7 +145,7 @@ for words in reset trace hint; do refuses "$words without a word" "which" "$scri
 [[ $("$scripts/hint" 03.02) == "$("$scripts/hint" 3.2)" ]] && ok || bad "hint 03.02"
 
 # make passes LAB on as it is.
-for target in grade run watch reset trace pictures kit gradescope; do
+for target in contexts grade run watch reset trace pictures kit gradescope; do
     out=$(make -n -C "$root" BUILD="$BUILD" "$target" LAB="3 4" 2>&1)
     grep -qF "'3 4'" <<<"$out" && ok || bad "make $target LAB" "$out"
 done
