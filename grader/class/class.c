@@ -6,7 +6,7 @@
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "class/run_settings.h"
-#include "class/pool.h"
+#include "base/pool.h"
 #include "class/submission_record.h"
 #include "base/progress_bar.h"
 #include "class/roster.h"

@@ -169,6 +169,13 @@ void grade_pictures(LabResult *result, const Exam *exam) {
         result->status = passed ? LAB_PASSED : LAB_FAILED;
 }
 
+bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c) {
+    float milliseconds;
+    draw_check(result, student, exam, c, &milliseconds);
+    score_check(&result->checks[c], exam->variants[c]);
+    return result->checks[c].passed;
+}
+
 void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed) {
     Ratios ratios = {0};
     bool alive = true;

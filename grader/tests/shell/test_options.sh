@@ -114,7 +114,7 @@ cmp -s "$work/3.png" "$work/03.png" && ok || bad "frame --lab 3"
 # Scripts.
 for script in "$scripts"/*; do
     name=$(basename "$script")
-    [[ -x $script ]] || continue
+    [[ -f $script && -x $script ]] || continue
     helps "$name" "$script"
     [[ $name == @(publish_chart|bench_class) ]] || refuses "$name --frobnicate" "--frobnicate" "$script" --frobnicate
     [[ $name == @(publish_chart|bench_class|contexts|floors) ]] || refuses "$name: too many" "one operand too many" "$script" 3 b c d
@@ -127,7 +127,7 @@ refuses "floors: an operand" "unrecognized arguments: up" "$scripts/floors" up
 refuses "bench_class: no lab" 'there is no lab "7x"' "$scripts/bench_class" "$bin" --labs 7x
 refuses "bench_class: no count" "no list of counts" "$scripts/bench_class" "$bin" --counts many
 refuses "table: no table" '"chairs" is no table' "$scripts/table" chairs
-for script in bench contexts gates make_kit make_gradescope publish_chart; do
+for script in bench contexts gates make_kit make_gradescope new_lab publish_chart; do
     refuses "$script without BUILD" "BUILD is missing" "$scripts/$script"
 done
 for lab in "${not_labs[@]}"; do

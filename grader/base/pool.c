@@ -1,4 +1,4 @@
-#include "class/pool.h"
+#include "base/pool.h"
 
 #include "scene/check.h"
 #include "base/process.h"
@@ -178,7 +178,7 @@ static bool work_off(Run *run) {
             if (run->hands[i].job < 0 && !give(run, &run->hands[i]))
                 return false;
         if (run->done == 0 && run->failed >= GIVE_UP)
-            return check_fail("%d submissions after another could not be graded", run->failed);
+            return check_fail("%d jobs after another could not be done", run->failed);
     } while (attend(run));
     return true;
 }
