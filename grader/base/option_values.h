@@ -3,17 +3,16 @@
 // on after the option's name: "takes ..., not \"...\"".
 #pragma once
 
+#include "base/limits.h"
 #include "scene/context_kind.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { LAB_LIST_MOST = 100 };
-
 // Labs in the order in which they were given, each once.
 typedef struct LabList {
     int count;
-    char ids[LAB_LIST_MOST][3]; // "03"
+    char ids[COURSE_MAX_LABS][3]; // "03"
 } LabList;
 
 // To a bool: true. The value is NULL.

@@ -1,6 +1,7 @@
 // bench_frames: milliseconds of a lab's frames, of scoring and of writing PNG. For `make bench`; not a
 // test.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
 #include "base/command_line.h"
@@ -154,5 +155,5 @@ int main(int count, char **arguments) {
     if (bench(lab))
         return 0;
     fprintf(stderr, "bench_frames: %s\n", check_message());
-    return 1;
+    return 3;
 }

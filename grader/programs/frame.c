@@ -1,5 +1,6 @@
 // frame: draws one frame of one of our labs to a PNG; the pictures of the handouts are made with it.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
 #include "base/command_line.h"
@@ -152,10 +153,10 @@ int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
     char folder[FILES_PATH];
     Rubric rubric = {0};
-    bool ok = places_find_lab(folder, command.lab) && rubric_load(&rubric, folder) &&
-              (command.job ? write_job(&command, &rubric) : draw(&command, &rubric, command.file));
+    bool found = places_find_lab(folder, command.lab), known = found && rubric_load(&rubric, folder);
+    bool ok = known && (command.job ? write_job(&command, &rubric) : draw(&command, &rubric, command.file));
     if (!ok)
         fprintf(stderr, "frame: %s\n", check_message());
     rubric_destroy(&rubric);
-    return ok ? 0 : 1;
+    return ok ? 0 : found && !known ? 3 : 1;
 }

@@ -9,6 +9,7 @@
 #include "base/temporary.h"
 #include "proof/lab_mutants.h"
 #include "scene/check.h"
+#include "base/limits.h"
 
 #include <signal.h>
 #include <stdio.h>

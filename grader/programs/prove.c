@@ -1,9 +1,11 @@
 // prove: proves a rubric. Over N seeds it draws, for each lab, the
 // solution, the skeleton, the lab solved up to each task, each catalogued mistake and each alternative,
-// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 1 when one
-// of them is not graded as it should be: solution and alternatives 100 %, skeleton 0 on every check, no task
-// takes points away, mistakes below the pass mark and named correctly. `N passed, N failed` counts rows.
+// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 3 when
+// something of ours cannot be drawn, else 1 when one of them is not graded as it should be: solution and
+// alternatives 100 %, skeleton 0 on every check, no task takes points away, mistakes below the pass mark and
+// named correctly. `N passed, N failed` counts rows.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "grade/grade_lab.h"
 #include "diagnose/diagnose.h"
 #include "base/command_line.h"
@@ -175,7 +177,7 @@ static bool run_row(ProofRow *row, Exam *exam, Painters *painters) {
 
 // One row a task that a check is about, solved up to it.
 static int list_partials(ProofRow *rows, int count, const Rubric *rubric) {
-    for (int n = 1; n < 20; n++) {
+    for (int n = 1; n < EXAM_MAX_TASKS; n++) {
         const char *task = rubric_task(rubric, n);
         if (task)
             rows[count] = (ProofRow){.kind = KIND_PARTIAL,
@@ -237,7 +239,7 @@ static bool prove_seeds(const Rubric *rubric, Proof *proof, ProofRow *rows, int 
 
 static void prove_lab(const char *id, void *context) {
     Proof *proof = context;
-    static ProofRow rows[128];
+    static ProofRow rows[EXAM_MAX_PAINTERS];
     char folder[FILES_PATH];
     Rubric rubric = {0};
     if (proof->broken)
@@ -288,11 +290,11 @@ int main(int count, char **arguments) {
         "| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
         proof.seeds);
     if (command.labs.count == 0)
-        places_list_labs(prove_lab, &proof);
+        proof.broken = !places_list_labs(prove_lab, &proof) || proof.broken;
     for (int i = 0; i < command.labs.count; i++)
         prove_lab(command.labs.ids[i], &proof);
     if (proof.broken)
         fprintf(stderr, "prove: %s\n", check_message());
     printf("%d passed, %d failed\n", proof.passed, proof.failed + proof.broken);
-    return proof.broken || proof.failed ? 1 : 0;
+    return proof.broken ? 3 : proof.failed > 0;
 }

@@ -124,5 +124,5 @@ int main(int count, char **arguments) {
     bool ok = record_all(&command);
     if (!ok)
         fprintf(stderr, "record_exams: %s\n", check_message());
-    return ok ? 0 : 1;
+    return ok ? 0 : 3;
 }

@@ -1,6 +1,7 @@
 // scene_table: what each lab's scenes are made of, and how much the graded views need it; prints a table
 // (Markdown, for grader/README.md).
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "proof/scene_needs.h"
 #include "base/command_line.h"
 #include "base/places.h"
@@ -49,9 +50,9 @@ int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
     printf("| lab | scene | planes | boxes | spheres | triangles | least need, %% |\n");
     printf("|---|---|---|---|---|---|---|\n");
-    places_list_labs(print_lab, &table);
+    table.broken = !places_list_labs(print_lab, &table) || table.broken;
     worker_client_stop(&table.worker);
     if (table.broken)
         fprintf(stderr, "scene_table: %s\n", check_message());
-    return table.broken ? 1 : 0;
+    return table.broken ? 3 : 0;
 }

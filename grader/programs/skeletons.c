@@ -5,6 +5,7 @@
 #include "compile/lab_folder.h"
 #include "base/command_line.h"
 #include "base/option_values.h"
+#include "compile/rubric_file.h"
 #include "base/places.h"
 
 #include <stdio.h>
