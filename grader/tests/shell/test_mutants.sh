@@ -8,7 +8,7 @@ copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{common,shaders,solutions} "$copy"
 mkdir -p "$root/$BUILD/cache"
-cp -a "$root/$BUILD"/{mutants,worker,include,cache} "$copy/build" # with its time: the cache goes by the worker's
+cp -a "$root/$BUILD"/{mutants,worker,include,given,cache} "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 
@@ -52,7 +52,7 @@ mutants --lab 03 --list --only "(3.7)"
 expect "a list" 0 "03 shadow.frag:" "(3.7): <= -> <"
 
 mutants --lab 77
-expect "no such lab" 3 'there is no lab "77"'
+expect "no such lab" 2 'there is no lab "77"'
 for wrong in "--seeds 0" "-j 0" "--frobnicate" "03"; do
     mutants $wrong
     expect "$wrong" 2 "usage: build/mutants"
