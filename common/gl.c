@@ -8,6 +8,7 @@
 #include <string.h>
 
 static char first_error[512];
+static bool refused;
 
 static const char *error_name(GLenum error) {
     switch (error) {
@@ -68,6 +69,7 @@ static void before_call(const char *name, GLADapiproc function, int count, ...) 
 static void after_call(void *result, const char *name, GLADapiproc function, int count, ...) {
     (void)result, (void)function, (void)count;
     GLenum error = glad_glGetError();
+    refused = refused || (error != GL_NO_ERROR && error != GL_INVALID_ENUM);
     if (error == GL_NO_ERROR || first_error[0])
         return;
     check_append(first_error, sizeof first_error, "%s in %s", error_name(error), name);
@@ -94,8 +96,13 @@ const char *gl_error(void) {
     return first_error;
 }
 
+bool gl_refused(void) {
+    return refused;
+}
+
 void gl_clear_error(void) {
     first_error[0] = '\0';
+    refused = false;
 }
 
 bool gl_check_framebuffer(const char *what) {

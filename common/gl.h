@@ -14,6 +14,11 @@ bool gl_load(GLADloadfunc load);
 const char *gl_error(void);
 void gl_clear_error(void);
 
+// Did a call fail since gl_clear_error with anything but GL_INVALID_ENUM? A refused call should change
+// nothing, but drivers differ in how they keep to that; with a name that it does not know, none does
+// anything.
+bool gl_refused(void);
+
 // Appends " @0xOFFSET@" of the innermost of the `count` return addresses that lies in lab.so (for addr2line).
 void gl_append_caller(char *text, size_t size, void *const *frames, int count);
 

@@ -1,7 +1,28 @@
 #include "scene/scene.h"
 
+// A view is steadier the farther its up vector lies from the line of sight; nearer than this (a tangent) +y
+// says nothing any more.
+static const float STRAIGHT = 1e-3f;
+
+static bool is_straight(vec3s eye, vec3s target) {
+    vec3s line = glms_vec3_sub(target, eye);
+    return hypotf(line.x, line.z) <= STRAIGHT * fabsf(line.y);
+}
+
+static mat4s view_from_world(vec3s eye, vec3s target) {
+    return glms_lookat(eye, target, is_straight(eye, target) ? vec3_make(0, 0, -1) : vec3_make(0, 1, 0));
+}
+
+bool light_is_overhead(const Light *light) {
+    return is_straight(light->position, light->target);
+}
+
+mat4s light_view_from_overhead(const Light *light) {
+    return glms_lookat(light->position, light->target, vec3_make(0, 0, -1));
+}
+
 mat4s camera_view_from_world(const Camera *camera) {
-    return glms_lookat(camera->eye, camera->target, vec3_make(0, 1, 0));
+    return view_from_world(camera->eye, camera->target);
 }
 
 mat4s camera_clip_from_view(const Camera *camera, float aspect) {
@@ -13,5 +34,5 @@ mat4s scene_light_clip_from_world(const Light *light) {
     mat4s clip_from_light = light->kind == LIGHT_SPOT
                                 ? glms_perspective(light->fov_y, 1, light->near_plane, light->far_plane)
                                 : glms_ortho(-r, r, -r, r, light->near_plane, light->far_plane);
-    return glms_mat4_mul(clip_from_light, glms_lookat(light->position, light->target, vec3_make(0, 1, 0)));
+    return glms_mat4_mul(clip_from_light, view_from_world(light->position, light->target));
 }

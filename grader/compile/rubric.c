@@ -32,16 +32,59 @@ static bool missing(const Rubric *rubric, const char *file, int index, const cha
     return check_fail("%s/%s: entry %d needs \"%s\"", rubric->folder, file, index + 1, key);
 }
 
+static bool read_choices(KnobChoice *knob, json_t *values) {
+    size_t i;
+    json_t *value;
+    json_array_foreach(values, i, value) {
+        if (i == RUBRIC_MAX_CHOICES || !json_is_number(value))
+            return false;
+        knob->choices[knob->choice_count++] = (float)json_number_value(value);
+    }
+    knob->value = knob->choices[0];
+    return knob->choice_count > 0;
+}
+
+static bool read_range(KnobChoice *knob, json_t *range) {
+    json_t *from = json_object_get(range, "from"), *to = json_object_get(range, "to");
+    knob->value = knob->low = (float)json_number_value(from);
+    knob->high = (float)json_number_value(to);
+    knob->whole = json_is_integer(from) && json_is_integer(to);
+    return json_is_number(from) && json_is_number(to) && knob->low < knob->high;
+}
+
+// A number, a list of numbers or {"from": , "to": }.
+static bool read_knob(KnobChoice *knob, const char *name, json_t *value) {
+    *knob = (KnobChoice){.name = name, .choice_count = json_is_number(value)};
+    knob->value = knob->choices[0] = (float)json_number_value(value);
+    return json_is_number(value) || (json_is_array(value) && read_choices(knob, value)) ||
+           (json_is_object(value) && read_range(knob, value));
+}
+
 static bool read_knobs(Check *check, json_t *knobs) {
     const char *name;
     json_t *value;
     json_object_foreach(knobs, name, value) {
         if (check->knob_count == RUBRIC_MAX_KNOBS)
             return check_fail("check \"%s\" sets more than %d knobs", check->name, RUBRIC_MAX_KNOBS);
-        check->knobs[check->knob_count].name = name;
-        check->knobs[check->knob_count++].value = (float)json_number_value(value);
+        if (!read_knob(&check->knobs[check->knob_count++], name, value))
+            return check_fail("check \"%s\", knob \"%s\": a number, at most %d numbers in a list, or "
+                              "{\"from\": number, \"to\": a larger one}",
+                              check->name, name, RUBRIC_MAX_CHOICES);
     }
     return true;
+}
+
+// A name or a list of names.
+static bool read_scenes(Check *check, json_t *scenes) {
+    size_t count = json_is_array(scenes) ? json_array_size(scenes) : 1;
+    for (size_t i = 0; i < count && i < RUBRIC_MAX_CHOICES; i++) {
+        json_t *scene = json_is_array(scenes) ? json_array_get(scenes, i) : scenes;
+        if (!json_is_string(scene))
+            return false;
+        check->scenes[check->scene_count++] = json_string_value(scene);
+    }
+    check->scene = check->scenes[0];
+    return count > 0 && count <= RUBRIC_MAX_CHOICES;
 }
 
 static bool read_check(Rubric *rubric, json_t *entry, int index) {
@@ -49,11 +92,11 @@ static bool read_check(Rubric *rubric, json_t *entry, int index) {
     *check = (Check){.name = json_string_value(json_object_get(entry, "name")),
                      .task = json_string_value(json_object_get(entry, "task")),
                      .view = json_string_value(json_object_get(entry, "view")),
-                     .scene = json_string_value(json_object_get(entry, "scene")),
                      .points = (int)json_integer_value(json_object_get(entry, "points")),
                      .variants = (int)json_integer_value(json_object_get(entry, "variants")),
-                     .optional = json_is_true(json_object_get(entry, "optional"))};
-    if (!check->name || !check->task || !check->view || !check->scene)
+                     .optional = json_is_true(json_object_get(entry, "optional")),
+                     .large = json_is_true(json_object_get(entry, "large frame"))};
+    if (!check->name || !check->task || !check->view || !read_scenes(check, json_object_get(entry, "scene")))
         return missing(rubric, "rubric.json", index, "name\", \"task\", \"view\" and \"scene");
     if (check->points <= 0 || check->variants <= 0)
         return missing(rubric, "rubric.json", index, "points\" and \"variants\" above 0: \"points");
@@ -159,6 +202,21 @@ static bool read_hints(Rubric *rubric) {
     return true;
 }
 
+static bool read_also(Rubric *rubric) {
+    size_t i;
+    json_t *name;
+    json_array_foreach(json_object_get(rubric->json->documents[0], "also right"), i, name) {
+        if (i == RUBRIC_MAX_ALSO || !json_is_string(name))
+            return check_fail("%s/rubric.json: \"also right\" takes at most %d names of alternatives",
+                              rubric->folder, RUBRIC_MAX_ALSO);
+        rubric->also[i] = rubric_alternative(rubric, json_string_value(name));
+        rubric->also_count++;
+        if (!rubric->also[i])
+            return false;
+    }
+    return true;
+}
+
 bool rubric_load(Rubric *rubric, const char *folder) {
     *rubric = (Rubric){.folder = strdup(folder), .json = calloc(1, sizeof(struct RubricJson))};
     const char *slash = strrchr(folder, '/');
@@ -166,7 +224,7 @@ bool rubric_load(Rubric *rubric, const char *folder) {
     if (read_rubric(rubric) &&
         read_changes(rubric, 1, "mistakes.json", &rubric->mistakes, &rubric->mistake_count) &&
         read_changes(rubric, 2, "alternatives.json", &rubric->alternatives, &rubric->alternative_count) &&
-        read_hints(rubric))
+        read_also(rubric) && read_hints(rubric))
         return true;
     rubric_destroy(rubric);
     return false;
@@ -218,6 +276,13 @@ const Change *rubric_mistake(const Rubric *rubric, const char *name) {
 
 const Change *rubric_alternative(const Rubric *rubric, const char *name) {
     return find_change(rubric, rubric->alternatives, rubric->alternative_count, "alternative", name);
+}
+
+bool rubric_uses_scene(const Check *check, const char *scene) {
+    for (int i = 0; i < check->scene_count; i++)
+        if (strcmp(check->scenes[i], scene) == 0)
+            return true;
+    return false;
 }
 
 const char *rubric_hint(const Rubric *rubric, const char *task, int n) {

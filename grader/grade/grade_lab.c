@@ -13,6 +13,9 @@
 
 static const double PASSED_SHARE = 0.95; // of a check's points
 
+// What a frame in which GL refused a call gets of its points: it may be drawn otherwise by another driver.
+static const double REFUSED_SHARE = 0.5;
+
 static void add_warning(LabResult *result, const char *text) {
     char clean[RESULT_TEXT];
     result_clean(clean, sizeof clean, text);
@@ -42,21 +45,55 @@ void grade_refuse(LabResult *result, const char *reason) {
     fail_lab(result, LAB_ERROR, reason);
 }
 
+// Without a frame the error is 1.
+static FrameScore score_variant(const CheckResult *check, const Variant *variant, int n, const Image *ours) {
+    const Image *yours = &check->yours[n];
+    if (!yours->rgba || result_wrong_size(&check->facts[n], &variant->facts))
+        return (FrameScore){.inside = 1};
+    FrameScore score = score_frame(yours, ours, &variant->without, &variant->skeleton);
+    if (check->facts[n].refused)
+        score.share *= REFUSED_SHARE;
+    return score;
+}
+
+static void take_worst(CheckResult *check, const FrameScore *score, int n, const Variant *variant) {
+    double error = score->inside + score->outside;
+    bool worse = score->share < check->share || (score->share == check->share && error > check->error);
+    if (n > 0 && !worse)
+        return;
+    check->share = score->share;
+    check->error = error;
+    check->worst = n;
+    check->wrong_size = result_wrong_size(&check->facts[n], &variant->facts);
+    check->refused = check->facts[n].refused;
+}
+
 static void score_check(CheckResult *check, const Variant *variants) {
-    check->share = 1;
-    check->error = 0;
     for (int n = 0; n < check->check->variants; n++) {
-        FrameScore score = {.inside = 1};
-        if (check->yours[n].rgba)
-            score = score_frame(&check->yours[n], &variants[n].reference, &variants[n].without,
-                                &variants[n].skeleton);
-        if (score.inside + score.outside > check->error || n == 0) {
-            check->share = score.share;
-            check->error = score.inside + score.outside;
-            check->worst = n;
-        }
+        FrameScore score = score_variant(check, &variants[n], n, &variants[n].reference);
+        take_worst(check, &score, n, &variants[n]);
     }
     check->passed = check->share >= PASSED_SHARE;
+}
+
+// Is the check passed when alternative a of "also right" is the reference?
+static bool passes_also(const CheckResult *check, Exam *exam, int c, int a) {
+    for (int n = 0; n < check->check->variants; n++) {
+        const Image *ours = exam_also(exam, a, c, n);
+        if (!ours || score_variant(check, &exam->variants[c][n], n, ours).share < PASSED_SHARE)
+            return false;
+    }
+    return true;
+}
+
+// Who draws as such an alternative does gets all points.
+static void try_also(CheckResult *check, Exam *exam, int c) {
+    for (int a = 0; !check->passed && check->yours[0].rgba && a < exam->rubric->also_count; a++)
+        if (passes_also(check, exam, c, a)) {
+            check->share = 1;
+            check->error = 0;
+            check->passed = true;
+        }
 }
 
 static int by_value(const void *a, const void *b) {
@@ -70,10 +107,12 @@ typedef struct Ratios {
 } Ratios;
 
 // Draws one frame of the student's; false when no more frames will come.
-static bool draw_one(LabResult *result, WorkerClient *student, const Variant *variant, Image *yours,
-                     float *milliseconds) {
+static bool draw_one(LabResult *result, WorkerClient *student, const Variant *variant, CheckResult *check,
+                     int n, float *milliseconds) {
     static Reply reply;
+    Image *yours = &check->yours[n];
     DrawResult drawn = worker_client_draw(student, &variant->request, yours, &reply);
+    check->facts[n] = reply.facts;
     if (drawn == DRAW_OK) {
         if (reply.message[0])
             add_warning(result, reply.message);
@@ -121,15 +160,22 @@ static double points_left(const LabResult *result, const Exam *exam) {
     return points;
 }
 
-void grade_pictures(LabResult *result, const Exam *exam) {
+// Every check that is not optional, and the pass mark of what was touched.
+static bool passes(const LabResult *result, const Exam *exam) {
+    for (int c = 0; c < result->check_count; c++)
+        if (!result->checks[c].passed && !result->checks[c].check->optional)
+            return false;
+    return result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
+}
+
+void grade_pictures(LabResult *result, Exam *exam) {
     for (int c = 0; c < result->check_count; c++) {
         score_check(&result->checks[c], exam->variants[c]);
+        try_also(&result->checks[c], exam, c);
         result->score += result_points(&result->checks[c]);
     }
-    bool passed =
-        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
     if (!result->message[0])
-        result->status = passed ? LAB_PASSED : LAB_FAILED;
+        result->status = passes(result, exam) ? LAB_PASSED : LAB_FAILED;
 }
 
 void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed) {
@@ -139,7 +185,7 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
         CheckResult *check = &result->checks[c];
         float milliseconds = 0;
         for (int n = 0; alive && n < check->check->variants; n++)
-            alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &milliseconds);
+            alive = draw_one(result, student, &exam->variants[c][n], check, n, &milliseconds);
         if (timed)
             add_ratio(&ratios, milliseconds, exam, c);
     }
