@@ -47,6 +47,9 @@ skeletons: build ## make labs/ from solutions/
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@$(SCRIPTS)/pictures $(LAB)
 
+contexts: build ## do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
+	@$(SCRIPTS)/contexts $(BUILD) $(LAB)
+
 table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@$(SCRIPTS)/table
 
@@ -77,7 +80,7 @@ study: $(if $(HAS_STUDY),build $(BUILD)/chart) ## chart speed against error: mak
 	$(if $(HAS_STUDY),$(BUILD)/chart $(LAB_OPTION) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) \
 		$(ARGS),@echo "make study measures the solutions; they are not in this kit: ask your course" >&2; exit 2)
 
-chart: build $(BUILD)/chart ## measure the study anew and put its chart and its findings into README.md
+chart: build $(BUILD)/chart ## measure the study again and put its chart and its findings into README.md
 	@$(SCRIPTS)/publish_chart $(BUILD) $(ARGS)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)

@@ -4,7 +4,7 @@
 
 #include "scene/context_kind.h"
 
-// Creates the context, makes it current and loads GL. One per process; there is no default framebuffer to
-// draw into.
+// Creates the context, makes it current and loads GL. One per process; there is no default
+// framebuffer to draw into.
 bool context_create(ContextKind kind);
 void context_destroy(void); // harmless when none was created

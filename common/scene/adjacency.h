@@ -1,5 +1,5 @@
-// The triangles of a mesh with their neighbours, as a geometry shader with `triangles_adjacency` gets them.
-// No GL.
+// The triangles of a mesh with their neighbours, as a geometry shader with
+// `triangles_adjacency` gets them. No GL.
 #pragma once
 
 #include "scene/mesh.h"

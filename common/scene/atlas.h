@@ -7,8 +7,8 @@
 
 enum { ATLAS_FACES = 6, ATLAS_MAX_CHARTS = SCENE_MAX_OBJECTS * ATLAS_FACES, ATLAS_MAX_SIZE = 2048 };
 
-// A place on the face is given by (s, t) in [0, 1] x [0, 1], its mesh's texture coordinates (v_uv in
-// shaders).
+// A place on the face is given by (s, t) in [0, 1] x [0, 1], its mesh's texture
+// coordinates (v_uv in shaders).
 typedef struct Chart {
     int left, bottom;        // the chart's first texel in the atlas
     int width, height;       // its texels; the padding lies around them and belongs to this chart alone

@@ -26,7 +26,7 @@ bool image_copy(Image *copy, const Image *image);
 
 // 8-bit RGB PNG; alpha is dropped.
 bool image_write_png(const Image *image, const char *path);
-// The same in memory, `size` bytes, smaller, and with alpha when asked for; freed by the caller. NULL with a
-// message.
+// The same in memory, `size` bytes, smaller, and with alpha when asked for; freed by the
+// caller. NULL with a message.
 uint8_t *image_encode_png(const Image *image, bool alpha, size_t *size);
 bool image_read_png(Image *image, const char *path);

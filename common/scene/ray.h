@@ -5,8 +5,8 @@
 
 #include <stdbool.h>
 
-// How far above a surface, in world units, a ray from it starts: more than rounding errors, less than a gap
-// that shows.
+// How far above a surface, in world units, a ray from it starts: more than rounding errors,
+// less than a gap that shows.
 #define RAY_OFFSET 1e-3f
 
 // Does the ray meet a surface at a distance above 0 and up to max_distance? `direction` has length 1. Planes

@@ -13,8 +13,8 @@ typedef struct ShaderSource {
     int file_count;
 } ShaderSource;
 
-// Where shader files are looked for: the lab's folder first, then the shared one. The strings are kept, not
-// copied.
+// Where shader files are looked for: the lab's folder first, then the shared one. The
+// strings are kept, not copied.
 void shader_source_folders(const char *lab_folder, const char *shared_folder);
 
 // Reads `name` with its includes. The file begins with "#version 410 core"; `#include "name"` takes a plain

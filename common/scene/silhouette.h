@@ -14,10 +14,10 @@ typedef struct Volume {
     int count, capacity; // corners
 } Volume;
 
-// Adds the volume of the mesh as it stands in the world: a near cap, the triangles that face the light, a far
-// cap, the same at infinity, and a side of two triangles at each edge between one that faces it and one that
-// does not. The adjacency is that of the mesh, without open edges. False with a message when there is no
-// memory.
+// Adds the volume of the mesh as it stands in the world: a near cap, the triangles that face the
+// light, a far cap, the same at infinity, and a side of two triangles at each edge between one that
+// faces it and one that does not. The adjacency is that of the mesh, without open edges. False with a
+// message when there is no memory.
 bool silhouette_add(Volume *volume, const Mesh *mesh, const Adjacency *adjacency, mat4s world_from_object,
                     const Light *light);
 

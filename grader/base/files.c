@@ -36,16 +36,20 @@ static char *read_all(int descriptor, const char *path, size_t limit, size_t *si
     return text;
 }
 
-char *files_read(const char *path, size_t limit) {
-    size_t size;
+char *files_read_bytes(const char *path, size_t limit, size_t *size) {
     int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0) {
         check_fail("%s cannot be read: %s", path, strerror(errno));
         return NULL;
     }
-    char *text = read_all(descriptor, path, limit, &size);
+    char *bytes = read_all(descriptor, path, limit, size);
     close(descriptor);
-    return text;
+    return bytes;
+}
+
+char *files_read(const char *path, size_t limit) {
+    size_t size;
+    return files_read_bytes(path, limit, &size);
 }
 
 static int open_folder(const char *folder) {
@@ -61,13 +65,18 @@ static int open_folder(const char *folder) {
 }
 
 bool files_is_folder(const char *path) {
+    struct stat info;
+    return lstat(path, &info) == 0 && S_ISDIR(info.st_mode);
+}
+
+bool files_check_folder(const char *path) {
     int at = open_folder(path);
     if (at >= 0)
         close(at);
     return at >= 0;
 }
 
-static int open_strange(const char *folder, const char *name) {
+static int open_untrusted(const char *folder, const char *name) {
     struct open_how how = {.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW,
                            .resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS | RESOLVE_NO_MAGICLINKS |
                                       RESOLVE_NO_XDEV};
@@ -83,10 +92,10 @@ static int open_strange(const char *folder, const char *name) {
     return descriptor;
 }
 
-static char *read_strange(const char *folder, const char *name, size_t limit, size_t *size) {
+static char *read_untrusted(const char *folder, const char *name, size_t limit, size_t *size) {
     struct stat info;
     char *text = NULL;
-    int descriptor = open_strange(folder, name);
+    int descriptor = open_untrusted(folder, name);
     if (descriptor < 0)
         return NULL;
     if (fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink != 1)
@@ -97,14 +106,14 @@ static char *read_strange(const char *folder, const char *name, size_t limit, si
     return text;
 }
 
-char *files_read_strange(const char *folder, const char *name, size_t limit) {
+char *files_read_untrusted(const char *folder, const char *name, size_t limit) {
     size_t size;
-    return read_strange(folder, name, limit, &size);
+    return read_untrusted(folder, name, limit, &size);
 }
 
 bool files_take(const char *folder, const char *name, const char *path, size_t limit) {
     size_t size;
-    char *bytes = read_strange(folder, name, limit, &size);
+    char *bytes = read_untrusted(folder, name, limit, &size);
     if (!bytes)
         return false;
     int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);
@@ -123,6 +132,28 @@ bool files_write(const char *path, const char *text) {
     return ok || check_fail("%s cannot be written: %s", path, strerror(errno));
 }
 
+// Does the file already hold just these bytes?
+static bool holds(const char *path, const void *bytes, size_t size) {
+    FILE *file = fopen(path, "rb");
+    char *old = malloc(size + 1);
+    bool same = file && old && fread(old, 1, size + 1, file) == size && memcmp(old, bytes, size) == 0;
+    free(old);
+    if (file)
+        fclose(file);
+    return same;
+}
+
+bool files_write_changed(const char *path, const void *bytes, size_t size, bool *changed) {
+    *changed = !holds(path, bytes, size);
+    if (!*changed)
+        return true;
+    FILE *file = fopen(path, "wb");
+    bool ok = file && fwrite(bytes, 1, size, file) == size;
+    if (file && fclose(file) != 0)
+        ok = false;
+    return ok || check_fail("%s cannot be written: %s", path, strerror(errno));
+}
+
 static bool write_synced(int descriptor, const char *text) {
     size_t size = strlen(text), done = 0;
     while (done < size) {
@@ -134,7 +165,7 @@ static bool write_synced(int descriptor, const char *text) {
     return fsync(descriptor) == 0;
 }
 
-static void folder_of(char folder[FILES_PATH], const char *path) {
+void files_folder_of(char folder[FILES_PATH], const char *path) {
     const char *slash = strrchr(path, '/');
     if (slash)
         snprintf(folder, FILES_PATH, "%.*s", (int)(slash - path + 1), path);
@@ -161,7 +192,7 @@ static bool put(const char *aside, const char *path, bool replace) {
 
 bool files_write_whole(const char *path, const char *text, bool replace) {
     char folder[FILES_PATH], aside[FILES_PATH];
-    folder_of(folder, path);
+    files_folder_of(folder, path);
     files_join(aside, folder, FILES_NEW "XXXXXX");
     int descriptor = mkostemp(aside, O_CLOEXEC);
     bool ok = descriptor >= 0 && fchmod(descriptor, 0644) == 0 && write_synced(descriptor, text);

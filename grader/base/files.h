@@ -9,18 +9,27 @@ enum { FILES_PATH = 4096 };
 // The text of a regular file of at most `limit` bytes, freed by the caller; NULL with a message.
 char *files_read(const char *path, size_t limit);
 
-// The same for a file handed in by a stranger: `name` must be a regular file in `folder` itself, not reached
-// by a link or a mount, and without another name (a hard link). The folder may not be a link either.
-char *files_read_strange(const char *folder, const char *name, size_t limit);
+// The same for a file that may hold any bytes: `size` of them, with a 0 behind.
+char *files_read_bytes(const char *path, size_t limit, size_t *size);
 
-// Is it a folder, and not a link to one? False with a message.
+// The same for a file handed in: `name` must be a regular file in `folder` itself, not reached
+// by a link or a mount, and without another name (a hard link). The folder may not be a link either.
+char *files_read_untrusted(const char *folder, const char *name, size_t limit);
+
+// Is it a folder, and not a link to one?
 bool files_is_folder(const char *path);
+
+// The same for one that can be opened, too. False with a message.
+bool files_check_folder(const char *path);
 
 // Copies such a file, which may hold any bytes, to `path`, which must not exist. False with a message.
 bool files_take(const char *folder, const char *name, const char *path, size_t limit);
 
 // Replaces the file. False with a message.
 bool files_write(const char *path, const char *text);
+
+// Replaces the file unless it already holds just these bytes; `changed` tells. False with a message.
+bool files_write_changed(const char *path, const void *bytes, size_t size, bool *changed);
 
 // Writes a file that is there whole or not at all, whatever happens meanwhile. A file that is there is
 // replaced, or left as it is when not `replace`. False with a message.
@@ -44,6 +53,9 @@ bool files_make_folder(const char *path);
 
 // Removes a folder that was made here, with all it holds.
 void files_remove(const char *path);
+
+// The folder that a path's file lies in, "./" where the path names none; ends with a slash.
+void files_folder_of(char folder[FILES_PATH], const char *path);
 
 // Writes "a/b" to path, which may not be a; aborts when it does not fit.
 void files_join(char path[FILES_PATH], const char *a, const char *b);

@@ -1,6 +1,8 @@
 #include "base/printable.h"
 
+#include "base/hash.h"
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <ctype.h>
 #include <stdbool.h>
@@ -39,7 +41,7 @@ static bool is_printable(uint32_t code) {
                                          {0x61c, 0x61c},   {0x180e, 0x180e}, {0x200b, 0x200f},
                                          {0x2028, 0x202e}, {0x2060, 0x206f}, {0xfeff, 0xfeff},
                                          {0xfff9, 0xfffb}, {0xfffe, 0xffff}, {0xe0000, 0x10ffff}};
-    for (size_t i = 0; i < sizeof hidden / sizeof hidden[0]; i++)
+    for (size_t i = 0; i < COUNT(hidden); i++)
         if (code >= hidden[i][0] && code <= hidden[i][1])
             return false;
     return true;
@@ -90,13 +92,11 @@ char *printable_undo(const char *text) {
 }
 
 void printable_file_name(char file[ESCAPE_FILE_NAME], const char *bytes) {
-    uint64_t hash = 0xcbf29ce484222325u;
+    uint64_t hash = hash_bytes(HASH_START, bytes, strlen(bytes));
     int length = 0;
-    for (const char *at = bytes; *at; at++) {
-        hash = (hash ^ (unsigned char)*at) * 0x100000001b3u;
+    for (const char *at = bytes; *at; at++)
         if (isalnum((unsigned char)*at) && (unsigned char)*at < 0x80 && length < READABLE)
             file[length++] = *at;
-    }
     snprintf(file + length, ESCAPE_FILE_NAME - (size_t)length, "-%016llx", (unsigned long long)hash);
     if (length == 0)
         file[0] = '_';

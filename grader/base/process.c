@@ -59,7 +59,7 @@ static _Noreturn void run_child(const int *ends, char *const *arguments, char *c
     dup2(output, STDERR_FILENO);
     dup2(replies, REPLY_DESCRIPTOR);
     close_range(REPLY_DESCRIPTOR + 1, ~0u, 0);
-    if (limits->stranger)
+    if (limits->untrusted)
         leave_us(limits, parent);
     else if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0)
         _exit(127);
@@ -105,7 +105,7 @@ bool process_start(Process *process, char *const *arguments, char *const *enviro
     process->deadline = process_now() + limits->wall_seconds;
     fcntl(process->input, F_SETFL, O_NONBLOCK);
     if (process->pid > 0) {
-        if (!limits->stranger)
+        if (!limits->untrusted)
             setpgid(process->pid, process->pid);
         return true;
     }

@@ -1,5 +1,7 @@
 #include "base/temporary.h"
 
+#include "scene/count.h"
+
 #include <limits.h>
 #include <signal.h>
 #include <stdbool.h>
@@ -55,7 +57,7 @@ static void end(int number) {
 
 void temporary_on_signals(void) {
     static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
-    for (unsigned i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+    for (unsigned i = 0; i < COUNT(numbers); i++) {
         struct sigaction before;
         if (sigaction(numbers[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) // as by nohup
             sigaction(numbers[i], &(struct sigaction){.sa_handler = end}, NULL);

@@ -1,6 +1,7 @@
 #include "class/grade_tables.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 #include "class/index.h"
 #include "class/table.h"
 
@@ -12,7 +13,7 @@
 // effect.
 static bool is_dangerous(const char *text) {
     static const char *const begins[] = {"=", "+", "-", "@", "'", "\uff1d", "\uff0b", "\uff0d", "\uff20"};
-    for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++)
+    for (size_t i = 0; i < COUNT(begins); i++)
         if (strncmp(text, begins[i], strlen(begins[i])) == 0)
             return true;
     return false;
@@ -50,7 +51,8 @@ static bool write_csv(const char *output, const Table *table) {
     fputs(",total,status\n", out);
     for (int i = 0; i < table->roster->count; i++)
         write_row(out, table, i);
-    INVARIANT(fclose(out) == 0);
+    bool whole = fclose(out) == 0;
+    INVARIANT(whole);
     files_join(path, output, "grades.csv");
     bool ok = files_write_whole(path, text, true);
     free(text);

@@ -1,6 +1,7 @@
 #include "class/index.h"
 
 #include "scene/check.h"
+#include "base/statistics.h"
 #include "pages/page.h"
 
 #include <stdlib.h>
@@ -29,11 +30,6 @@ static void bar_cell(Page *page, int value, int most) {
     if (value > 0)
         fprintf(page->out, "<span class=\"bar\" style=\"width:%.2frem\"></span>", 14.0 * value / most);
     fputs("</td>", page->out);
-}
-
-static int by_value(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 static void write_bins(Page *page, const char *lab, const int *bins) {
@@ -75,12 +71,11 @@ static void write_distribution(Page *page, const Table *table, int n) {
         bins[(int)(BINS * scores[count - 1] / maximum + 1e-9)]++;
     }
     if (count > 0) {
-        qsort(scores, (size_t)count, sizeof *scores, by_value);
         fprintf(page->out, "<h3>Lab %s: ", table->plan->labs[n]);
         page_text(page, name);
         fprintf(page->out,
                 "</h3>\n<p>%d of %d passed; of %.0f points the median is %.2f, the mean %.2f.</p>\n", passed,
-                count, maximum, (scores[count / 2] + scores[(count - 1) / 2]) / 2, sum / count);
+                count, maximum, statistics_median(scores, (size_t)count), sum / count);
         write_bins(page, table->plan->labs[n], bins);
     }
     free(scores);
@@ -276,7 +271,7 @@ char *index_page(const Table *table) {
     if (!page_begin(&page, "Shadow Lab: the class"))
         return NULL;
     fprintf(page.out,
-            "<p>%d submissions, %d graded, %d not graded <span class=\"faint\">(seed %llu)</span></p>\n",
+            "<p>%d submissions, %d graded, %d not graded <span class=\"quiet\">(seed %llu)</span></p>\n",
             table->roster->count, graded, table->roster->count - graded,
             (unsigned long long)table->plan->seed);
     fputs("<h2>Scores</h2>\n", page.out);

@@ -1,6 +1,7 @@
 #include "class/roster.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +12,7 @@
 static bool is_archive(const char *name) {
     static const char *const ends[] = {".zip", ".tar.gz", ".tgz"};
     size_t length = strlen(name);
-    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++)
+    for (size_t i = 0; i < COUNT(ends); i++)
         if (length > strlen(ends[i]) && strcasecmp(name + length - strlen(ends[i]), ends[i]) == 0)
             return true;
     return false;

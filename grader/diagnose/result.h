@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exam/exam.h"
+#include "score/difference.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -26,6 +27,7 @@ typedef struct CheckResult {
     char mistake[256], hint[1500];
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
     Image evidence[EVIDENCE_PARTS]; // owned; empty when the check passed or nobody asked for it
+    Difference difference;          // the evidence's
 } CheckResult;
 
 typedef enum LabStatus { LAB_PASSED, LAB_FAILED, LAB_ERROR, LAB_TIMEOUT } LabStatus;

@@ -134,7 +134,8 @@ static DrawResult exchange(WorkerClient *client, const Request *request, void *p
 DrawResult worker_client_draw(WorkerClient *client, const Request *request, Image *image, Reply *reply) {
     if (image->width != request->width || image->height != request->height) {
         image_destroy(image);
-        INVARIANT(image_create(image, request->width, request->height));
+        bool created = image_create(image, request->width, request->height);
+        INVARIANT(created);
     }
     return exchange(client, request, image->rgba, image_bytes(image), reply);
 }

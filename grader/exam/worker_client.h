@@ -24,7 +24,7 @@ typedef struct WorkerClient {
     bool quick_shaders;  // compiled sooner and worse: for frames that are few and small; the same pixels
     double seconds;      // processor time that a submission may use
     double patience;     // wall time that it may use, in units of that; 0: 1
-    bool each_turn; // `seconds` is wall time and begins anew with worker_client_begin, whoever draws: for a
+    bool each_turn; // `seconds` is wall time and starts again with worker_client_begin, whoever draws: for a
                     // window
     bool started;
     Process process;
@@ -48,6 +48,6 @@ DrawResult worker_client_describe(WorkerClient *client, const Request *request, 
 // Starts the worker without waiting for it, so that several start side by side. False: no process can be
 // started.
 bool worker_client_start(WorkerClient *client);
-// The wall time of a running worker begins anew: what has passed was spent by us, or on earlier turns.
+// The wall time of a running worker starts again: what has passed was spent by us, or on earlier turns.
 void worker_client_begin(WorkerClient *client);
 void worker_client_stop(WorkerClient *client); // accepts a zeroed client

@@ -1,6 +1,7 @@
 #include "grade/grade_lab.h"
 
 #include "scene/check.h"
+#include "base/statistics.h"
 #include "compile/lab_folder.h"
 #include "diagnose/diagnose.h"
 #include "exam/exam_file.h"
@@ -8,7 +9,6 @@
 #include "score/score.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double PASSED_SHARE = 0.95; // of a check's points
@@ -96,13 +96,8 @@ static void try_also(CheckResult *check, Exam *exam, int c) {
         }
 }
 
-static int by_value(const void *a, const void *b) {
-    float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
 typedef struct Ratios {
-    float values[RUBRIC_MAX_CHECKS];
+    double values[RUBRIC_MAX_CHECKS];
     int count;
 } Ratios;
 
@@ -189,8 +184,7 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
         if (timed)
             add_ratio(&ratios, milliseconds, exam, c);
     }
-    qsort(ratios.values, (size_t)ratios.count, sizeof ratios.values[0], by_value);
-    result->speed_ratio = ratios.count > 0 ? ratios.values[ratios.count / 2] : 0;
+    result->speed_ratio = ratios.count > 0 ? statistics_median(ratios.values, (size_t)ratios.count) : 0;
     grade_pictures(result, exam);
 }
 
@@ -217,7 +211,7 @@ static bool take_submission(LabResult *result, WorkerClient *student, const Rubr
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
     Ignored ignored = {rubric, result, 0};
-    bool ok = files_is_folder(submission) && files_list(submission, note_ignored, &ignored) &&
+    bool ok = files_check_folder(submission) && files_list(submission, note_ignored, &ignored) &&
               lab_folder_submission(student->folder, rubric, submission, student->jail, log);
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);

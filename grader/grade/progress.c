@@ -4,7 +4,6 @@
 #include "base/files.h"
 #include "base/places.h"
 
-#include <errno.h>
 #include <fcntl.h>
 #include <jansson.h>
 #include <stdio.h>
@@ -63,8 +62,8 @@ static void set_aside(Progress *progress, const char *path, const char *why) {
     while (files_exists(aside));
     if (rename(path, aside) == 0)
         snprintf(progress->note, sizeof progress->note,
-                 "%.300s was damaged (%.160s); it is kept as %.320s, and the progress starts anew", path, why,
-                 aside);
+                 "%.300s was damaged (%.160s); it is kept as %.320s, and the progress starts again", path,
+                 why, aside);
 }
 
 // The whole file as JSON, freed by the caller; an empty one when there is none or it is damaged. NULL with a
@@ -117,21 +116,11 @@ static void update(json_t *root, const LabProgress *old, const char *id, double 
     }
 }
 
-// Writes aside and renames.
-static bool replace(const char *path, const json_t *root) {
-    char aside[FILES_PATH + 32];
-    snprintf(aside, sizeof aside, "%s.new-%ld", path, (long)getpid());
-    FILE *file = fopen(aside, "w");
-    bool ok = file &&
-              json_dumpf(root, file, JSON_INDENT(2) | JSON_REAL_PRECISION(10) | JSON_SORT_KEYS) == 0 &&
-              fputc('\n', file) != EOF && fflush(file) == 0 && fsync(fileno(file)) == 0;
-    if (file && fclose(file) != 0)
-        ok = false;
-    ok = ok && rename(aside, path) == 0;
-    if (!ok) {
-        check_fail("the progress cannot be written to %s: %s", path, strerror(errno));
-        unlink(aside);
-    }
+static bool write_file(const char *path, const json_t *root) {
+    char *text = json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(10) | JSON_SORT_KEYS), *line = NULL;
+    bool ok = text && asprintf(&line, "%s\n", text) > 0 && files_write_whole(path, line, true);
+    free(text);
+    free(line);
     return ok;
 }
 
@@ -139,8 +128,7 @@ static bool replace(const char *path, const json_t *root) {
 // cannot be had (some network drives) the record is made all the same. Closing the descriptor ends it.
 static int lock_folder(const char *path) {
     char folder[FILES_PATH];
-    const char *slash = strrchr(path, '/');
-    snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - path) + 1 : 1, slash ? path : ".");
+    files_folder_of(folder, path);
     int descriptor = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor >= 0)
         flock(descriptor, LOCK_EX);
@@ -156,7 +144,7 @@ bool progress_record(Progress *progress, const char *id, double score, double ma
         update(root, progress_find(progress, id), id, score, max_score, done);
         read_labs(progress, root);
     }
-    bool ok = root && replace(path, root);
+    bool ok = root && write_file(path, root);
     json_decref(root);
     if (lock >= 0)
         close(lock);

@@ -6,14 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 enum { MAX_WRAPPERS = 3 };
-
-static bool is_folder(const char *path) {
-    struct stat info;
-    return lstat(path, &info) == 0 && S_ISDIR(info.st_mode);
-}
 
 typedef struct Content {
     int entries, labs;
@@ -37,7 +31,7 @@ static bool unwrap(char folder[FILES_PATH]) {
         content.entries != 1 || content.labs > 0)
         return false;
     files_join(inner, folder, content.only);
-    if (!is_folder(inner))
+    if (!files_is_folder(inner))
         return false;
     memcpy(folder, inner, FILES_PATH);
     return true;
@@ -52,8 +46,8 @@ static void name_single(Submission *submission) {
 bool submission_open(Submission *submission, const char *folder) {
     char path[FILES_PATH];
     *submission = (Submission){0};
-    // The path may hold links: it is the caller's. What lies in the folder is the stranger's.
-    if (!realpath(folder, submission->folder) || !is_folder(submission->folder) ||
+    // The path may hold links: it is the caller's. What lies in the folder is what was handed in.
+    if (!realpath(folder, submission->folder) || !files_is_folder(submission->folder) ||
         strlen(submission->folder) >= FILES_PATH - 300)
         return check_fail("%s is not a folder", folder);
     for (int i = 0; i < MAX_WRAPPERS && unwrap(submission->folder); i++)
@@ -71,10 +65,10 @@ static bool find_lab(char folder[FILES_PATH], const char *parent, const char *id
     char ours[FILES_PATH];
     if (places_find_lab(ours, id)) {
         files_join(folder, parent, strrchr(ours, '/') + 1);
-        if (is_folder(folder))
+        if (files_is_folder(folder))
             return true;
     }
-    return places_find_lab_in(folder, parent, id) && is_folder(folder);
+    return places_find_lab_in(folder, parent, id) && files_is_folder(folder);
 }
 
 bool submission_find(const Submission *submission, const char *id, char folder[FILES_PATH]) {

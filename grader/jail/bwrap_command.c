@@ -1,6 +1,7 @@
 #include "jail/bwrap_command.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -20,7 +21,7 @@ static const SystemPath system_paths[] = {
     {"/usr/bin", JAIL_TOOLS},        {"/bin", JAIL_TOOLS},
     {"/usr/local/bin", JAIL_TOOLS},  {"/usr/libexec", JAIL_TOOLS},
     {"/usr/include", JAIL_TOOLS},    {"/usr/local/include", JAIL_TOOLS}};
-enum { SYSTEM_PATHS = sizeof system_paths / sizeof system_paths[0] };
+enum { SYSTEM_PATHS = COUNT(system_paths) };
 
 static void add(BwrapCommand *command, const char *argument) {
     INVARIANT(command->count < COMMAND_MAX - 1);
@@ -47,7 +48,7 @@ static void add_system_mount(BwrapCommand *command, const char *path, int *links
         add_mount(command, "--ro-bind", path);
         return;
     }
-    INVARIANT(*links < (int)(sizeof command->links / sizeof command->links[0]));
+    INVARIANT(*links < (int)COUNT(command->links));
     char *target = command->links[(*links)++];
     ssize_t length = readlink(path, target, sizeof command->links[0] - 1);
     INVARIANT(length > 0);
@@ -62,7 +63,7 @@ static void add_bwrap(BwrapCommand *command, const Jail *jail, const JailPlan *p
         "bwrap",         "--unshare-user", "--unshare-ipc",        "--unshare-pid",
         "--unshare-net", "--unshare-uts",  "--unshare-cgroup-try", "--die-with-parent"};
     int links = 0;
-    for (unsigned i = 0; i < sizeof first / sizeof first[0]; i++)
+    for (unsigned i = 0; i < COUNT(first); i++)
         add(command, first[i]);
     for (int i = 0; i < SYSTEM_PATHS; i++)
         if (system_paths[i].kind <= plan->kind)

@@ -1,6 +1,7 @@
 #include "jail/stage.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 #include "base/places.h"
 
 #include <errno.h>
@@ -18,7 +19,7 @@ typedef struct Part {
 static const Part parts[] = {{"worker", true},      {"jail_shim", true}, {"jail_probe", true},
                              {"jail_unpack", true}, {"include", true},   {"common", false},
                              {"shaders", false}};
-enum { PARTS = sizeof parts / sizeof parts[0] };
+enum { PARTS = COUNT(parts) };
 
 void stage_source(const char *name, char path[FILES_PATH]) {
     int i = 0;

@@ -14,7 +14,14 @@ typedef struct Page {
     size_t size;
 } Page;
 
-// Begins the page up to <main>, with the style of page.css. False with a message.
+// Writes shell.html up to its content: the title, escaped, and the style of base.css and of the file `style`
+// of the project ("grader/pages/page.css"). False with a message.
+bool page_begin_shell(FILE *out, const char *title, const char *style);
+
+// Writes what comes behind the content. False with a message.
+bool page_end_shell(FILE *out);
+
+// Begins a page up to its heading, with the style of page.css. False with a message.
 bool page_begin(Page *page, const char *title);
 
 // Ends the page with the script of page.js; the caller frees the text. NULL with a message.

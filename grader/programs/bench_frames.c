@@ -4,24 +4,18 @@
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
 #include "base/places.h"
+#include "base/statistics.h"
 #include "score/score.h"
 
 #include <signal.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
 enum { RUNS = 9 };
 
-static int by_value(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static void print_median(const char *name, double *milliseconds) {
-    qsort(milliseconds, RUNS, sizeof *milliseconds, by_value);
-    printf("%-44s %8.2f ms\n", name, milliseconds[RUNS / 2]);
+    printf("%-44s %8.2f ms\n", name, statistics_median(milliseconds, RUNS));
 }
 
 // A new worker each time: its first frame, and another one after it.

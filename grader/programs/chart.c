@@ -4,44 +4,43 @@
 #include "base/places.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
-#include "study/chart.h"
+#include "study/chart_svg.h"
 #include "study/csv.h"
 #include "study/chart_options.h"
 #include "study/chart_page.h"
 
-#include <errno.h>
 #include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-// The files that grow scene by scene; they get their names when they are whole.
+// Files that grow scene by scene in memory; they are written when they are whole.
+typedef struct GrowingFile {
+    char path[FILES_PATH], *text;
+    size_t size;
+    FILE *out;
+} GrowingFile;
+
 typedef struct Output {
-    char csv_path[FILES_PATH], page_path[FILES_PATH], needs_path[FILES_PATH];
-    FILE *csv, *page, *needs;
+    GrowingFile csv, page, needs;
     int scenes;
 } Output;
 
-static FILE *open_part(char path[FILES_PATH], const char *folder, const char *name) {
-    char part[FILES_PATH + 8];
-    files_join(path, folder, name);
-    snprintf(part, sizeof part, "%s.part", path);
-    FILE *file = fopen(part, "w");
-    if (!file)
-        check_fail("%s: %s", part, strerror(errno));
-    return file;
+static bool begin_file(GrowingFile *file, const char *folder, const char *name) {
+    files_join(file->path, folder, name);
+    file->out = open_memstream(&file->text, &file->size);
+    return file->out || check_fail("no memory for %s", file->path);
 }
 
-static bool close_part(FILE *file, const char *path) {
-    char part[FILES_PATH + 8];
-    snprintf(part, sizeof part, "%s.part", path);
-    bool ok = file && !ferror(file);
-    return (file && fclose(file) == 0 && ok && rename(part, path) == 0) ||
-           check_fail("%s cannot be written", path);
+static bool end_file(GrowingFile *file) {
+    bool ok = fclose(file->out) == 0 && files_write_whole(file->path, file->text, true);
+    free(file->text);
+    return ok || check_fail("no memory for %s", file->path);
 }
 
 // The same setting of ours, which every one of a submission has.
-static int ours_of(const Findings *findings, int submitted) {
+static int ours_of(const SceneFindings *findings, int submitted) {
     const Method *wanted = &findings->findings[submitted].method;
     int i = 0;
     while (strcmp(findings->findings[i].method.family, wanted->family) != 0 ||
@@ -50,7 +49,7 @@ static int ours_of(const Findings *findings, int submitted) {
     return i;
 }
 
-static void report_submission(const Findings *findings, int i) {
+static void report_submission(const SceneFindings *findings, int i) {
     const Finding *finding = &findings->findings[i];
     int ours = ours_of(findings, i);
     printf("  yours, %s, %s: ", finding->method.family, finding->method.name);
@@ -61,7 +60,7 @@ static void report_submission(const Findings *findings, int i) {
         printf("not drawn: %s\n", finding->message);
 }
 
-static void report(const Findings *findings, FILE *needs) {
+static void report(const SceneFindings *findings, FILE *needs) {
     char need[512];
     findings_tell(findings, need, sizeof need);
     printf("%s: %s\n", findings->scene->name, need);
@@ -72,13 +71,13 @@ static void report(const Findings *findings, FILE *needs) {
     fflush(stdout);
 }
 
-static bool study_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
-    static Findings findings;
+static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
+    static SceneFindings findings;
     if (!measure_scene(plan, scene, &findings) || !chart_draw(&findings, plan->output))
         return false;
-    csv_write(output->csv, &findings);
-    report(&findings, output->needs);
-    return chart_page_add(output->page, plan, &findings, output->scenes++ == 0);
+    csv_write(output->csv.out, &findings);
+    report(&findings, output->needs.out);
+    return chart_page_add(output->page.out, plan, &findings, output->scenes++ == 0);
 }
 
 static bool open_output(StudyPlan *plan, Output *output) {
@@ -89,32 +88,31 @@ static bool open_output(StudyPlan *plan, Output *output) {
     files_join(path, plan->output, "state");
     if (!measurements_open(&plan->state, path))
         return false;
-    output->csv = open_part(output->csv_path, plan->output, "chart.csv");
-    output->page = open_part(output->page_path, plan->output, "chart.html");
-    output->needs = open_part(output->needs_path, plan->output, "needs.txt");
-    return output->csv && output->page && output->needs;
+    return begin_file(&output->csv, plan->output, "chart.csv") &&
+           begin_file(&output->page, plan->output, "chart.html") &&
+           begin_file(&output->needs, plan->output, "needs.txt");
 }
 
 static bool study(const ChartOptions *options, StudyPlan *plan) {
     static Output output;
-    if (!open_output(plan, &output) || !chart_page_begin(output.page))
+    if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
-    csv_head(output.csv);
-    for (const StudyScene *scene = study_scenes; scene->name; scene++)
-        if (chart_options_want(options, scene) && !study_scene(plan, scene, &output))
+    csv_head(output.csv.out);
+    for (int i = 0; study_scene(i); i++)
+        if (chart_options_want(options, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
     if (output.scenes == 0)
         return check_fail("no scene of the study has settings of lab %s", options->lab);
-    bool ok = chart_page_end(output.page);
-    ok = close_part(output.csv, output.csv_path) && ok;
-    ok = close_part(output.needs, output.needs_path) && ok;
-    ok = close_part(output.page, output.page_path) && ok;
+    bool ok = chart_page_end(output.page.out);
+    ok = end_file(&output.csv) && ok;
+    ok = end_file(&output.needs) && ok;
+    ok = end_file(&output.page) && ok;
     printf("%s: open it in a browser; chart.csv and the pictures SCENE.svg lie beside it\n",
-           output.page_path);
+           output.page.path);
     return ok;
 }
 
-// Strangers' code is compiled and run in a jail.
+// Untrusted code is compiled and run in a jail.
 static bool choose_jail(const ChartOptions *options, StudyPlan *plan, Jail *jail) {
     if (!options->submission || options->trusted)
         return true;

@@ -1,6 +1,6 @@
 // skeletons OUTPUT [TASK]: writes the labs for students, made from solutions/: each source with every task
-// left to do (or solved up to TASK, "3.5"), the handout and its pictures, and nothing else. What is unchanged
-// is not rewritten.
+// left to do (or solved up to TASK, "3.5"), the handout and its pictures, and nothing else: sources that the
+// rubric does not list are the grader's. What is unchanged is not rewritten.
 #include "scene/check.h"
 #include "compile/lab_folder.h"
 #include "base/places.h"
@@ -9,91 +9,77 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct Job {
+enum { MAX_OTHER = 4 << 20 }; // bytes of a picture or a handout
+
+typedef struct SkeletonWriter {
     const char *output;
     Solved solved;
+    Rubric rubric; // of the lab that is being written
     char from[FILES_PATH], to[FILES_PATH];
     bool ok;
-} Job;
-
-// True when the file already holds just these bytes.
-static bool holds(const char *path, const char *bytes, size_t size) {
-    FILE *file = fopen(path, "rb");
-    char *old = malloc(size + 1);
-    bool same = file && old && fread(old, 1, size + 1, file) == size && memcmp(old, bytes, size) == 0;
-    free(old);
-    if (file)
-        fclose(file);
-    return same;
-}
-
-static bool write_changed(const char *path, const char *bytes, size_t size) {
-    if (holds(path, bytes, size))
-        return true;
-    FILE *file = fopen(path, "wb");
-    bool ok = file && fwrite(bytes, 1, size, file) == size;
-    if (file && fclose(file) != 0)
-        ok = false;
-    printf("%s\n", path);
-    return ok || check_fail("%s cannot be written", path);
-}
+} SkeletonWriter;
 
 static bool ends_with(const char *name, const char *end) {
     return strlen(name) > strlen(end) && strcmp(name + strlen(name) - strlen(end), end) == 0;
 }
 
-static bool copy_file(const char *from, const char *to) {
-    FILE *file = fopen(from, "rb");
-    char *bytes = malloc(1 << 22);
-    size_t size = file && bytes ? fread(bytes, 1, 1 << 22, file) : 0;
-    bool ok = size > 0 ? write_changed(to, bytes, size) : check_fail("%s cannot be read", from);
+// A source file is written without its solution, everything else as it is.
+static bool write_copy(const char *from, const char *to, Solved solved, bool source) {
+    size_t size = 0;
+    bool changed = false;
+    char *bytes = files_read_bytes(from, source ? DERIVE_MAX_FILE : MAX_OTHER, &size);
+    char *skeleton = bytes && source ? task_blocks_select(from, bytes, solved, false) : NULL;
+    const char *text = source ? skeleton : bytes;
+    bool ok = text && files_write_changed(to, text, source ? strlen(text) : size, &changed);
+    if (changed)
+        puts(to);
     free(bytes);
-    if (file)
-        fclose(file);
-    return ok;
-}
-
-static bool write_skeleton(const char *from, const char *to, Solved solved) {
-    char *text = files_read(from, DERIVE_MAX_FILE);
-    char *skeleton = text ? task_blocks_select(from, text, solved, false) : NULL;
-    bool ok = skeleton && write_changed(to, skeleton, strlen(skeleton));
-    free(text);
     free(skeleton);
     return ok;
 }
 
+static bool is_students(const Rubric *rubric, const char *name) {
+    for (int i = 0; i < rubric->file_count; i++)
+        if (strcmp(rubric->files[i], name) == 0)
+            return true;
+    return false;
+}
+
 static void write_file(const char *name, void *context) {
-    Job *job = context;
+    SkeletonWriter *writer = context;
     char from[FILES_PATH], to[FILES_PATH];
-    if (!job->ok || ends_with(name, ".json") || strcmp(name, "pictures") == 0)
+    if (!writer->ok || ends_with(name, ".json") || strcmp(name, "pictures") == 0)
         return;
-    files_join(from, job->from, name);
-    files_join(to, job->to, name);
+    files_join(from, writer->from, name);
+    files_join(to, writer->to, name);
     bool source = ends_with(name, ".c") || ends_with(name, ".h") || ends_with(name, ".vert") ||
                   ends_with(name, ".frag") || ends_with(name, ".geom") || ends_with(name, ".glsl");
-    job->ok = source ? write_skeleton(from, to, job->solved) : copy_file(from, to);
+    if (!source || is_students(&writer->rubric, name))
+        writer->ok = write_copy(from, to, writer->solved, source);
 }
 
 static void write_lab(const char *id, void *context) {
-    Job *job = context;
+    SkeletonWriter *writer = context;
     char folder[FILES_PATH];
-    if (!job->ok || !places_find_lab(job->from, id))
+    if (!writer->ok || !places_find_lab(writer->from, id))
         return;
-    files_join(job->to, job->output, strrchr(job->from, '/') + 1);
-    snprintf(folder, sizeof folder, "%.4000s/", job->to);
-    job->ok = files_make_folder(folder) && files_list(job->from, write_file, job);
+    files_join(writer->to, writer->output, strrchr(writer->from, '/') + 1);
+    snprintf(folder, sizeof folder, "%.4000s/", writer->to);
+    writer->ok = rubric_load(&writer->rubric, writer->from) && files_make_folder(folder) &&
+                 files_list(writer->from, write_file, writer);
+    rubric_destroy(&writer->rubric);
 }
 
 int main(int count, char **arguments) {
-    static Job job = {.ok = true};
+    static SkeletonWriter writer = {.ok = true};
     if (count != 2 && count != 3) {
         fprintf(stderr, "usage: build/skeletons OUTPUT [TASK] (see `make skeletons`)\n");
         return 2;
     }
-    job.output = arguments[1];
-    job.solved = count == 3 ? (Solved){SOLVED_UP_TO, arguments[2]} : (Solved){SOLVED_NONE, NULL};
-    job.ok = places_list_labs(write_lab, &job) && job.ok;
-    if (!job.ok)
+    writer.output = arguments[1];
+    writer.solved = count == 3 ? (Solved){SOLVED_UP_TO, arguments[2]} : (Solved){SOLVED_NONE, NULL};
+    writer.ok = places_list_labs(write_lab, &writer) && writer.ok;
+    if (!writer.ok)
         fprintf(stderr, "skeletons: %s\n", check_message());
-    return job.ok ? 0 : 1;
+    return writer.ok ? 0 : 1;
 }

@@ -1,6 +1,7 @@
 #include "proof/scene_needs.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 #include "score/score.h"
 
 #include <math.h>
@@ -18,7 +19,7 @@ static const struct {
 };
 
 const char *scene_needs_excuse(const char *scene, int object) {
-    for (size_t i = 0; i < sizeof excuses / sizeof excuses[0]; i++)
+    for (size_t i = 0; i < COUNT(excuses); i++)
         if (strcmp(excuses[i].scene, scene) == 0 && excuses[i].object == object)
             return excuses[i].why;
     return NULL;
@@ -26,7 +27,8 @@ const char *scene_needs_excuse(const char *scene, int object) {
 
 static int shape_triangles(Shape shape) {
     Mesh mesh;
-    INVARIANT(mesh_create(&mesh, shape));
+    bool created = mesh_create(&mesh, shape);
+    INVARIANT(created);
     int triangles = mesh.index_count / 3;
     mesh_destroy(&mesh);
     return triangles;

@@ -32,7 +32,7 @@ typedef struct Request {
     uint32_t magic;
     int32_t width, height;
     int32_t
-        fresh; // 1: the lab makes its resources anew, so that the frame does not depend on those before it
+        fresh; // 1: the lab makes its resources again, so that the frame does not depend on those before it
     int32_t describe; // 1: a Description instead of a frame; what follows but `folder` does not matter
     char folder[PROTOCOL_PATH]; // of the lab, for a worker that was not given one
     char view[LAB_MAX_NAME];    // a view above or the name of a stage

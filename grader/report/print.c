@@ -1,6 +1,7 @@
 #include "report/report.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +10,7 @@
 static const char *const formats[] = {"text", "json", "html", "gradescope", "check50"};
 
 bool report_parse_format(ReportFormat *format, const char *name) {
-    for (size_t i = 0; i < sizeof formats / sizeof formats[0]; i++)
+    for (size_t i = 0; i < COUNT(formats); i++)
         if (strcmp(formats[i], name) == 0) {
             *format = (ReportFormat)i;
             return true;

@@ -11,7 +11,7 @@
 enum { MOST_SVG = 1 << 22 };
 
 static const char *status_class(RowStatus status) {
-    static const char *const classes[] = {"good", "bad", "faint"};
+    static const char *const classes[] = {"good", "bad", "quiet"};
     return classes[status];
 }
 

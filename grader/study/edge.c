@@ -1,6 +1,8 @@
 #include "study/edge.h"
 
 #include "study/pareto.h"
+#include "base/statistics.h"
+#include "shadow_map.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -81,7 +83,7 @@ static double side_at(const TruthView *truth_view, const TruthHit *hit) {
     vec3s up = glms_vec3_cross(hit->face_normal, right);
     mat2s in_picture = moves(seen, hit->position, right, up);
     mat2s in_map =
-        moves(scene_light_clip_from_world(&truth_view->truth.scene.lights[0]), hit->position, right, up);
+        moves(shadow_map_clip_from_world(&truth_view->truth.scene.lights[0]), hit->position, right, up);
     mat2s picture_from_map = glms_mat2_mul(in_picture, glms_mat2_inv(in_map));
     for (int i = 0; i < 2; i++) {
         picture_from_map.raw[i][0] *= width; // both spaces are 2 wide
@@ -90,20 +92,13 @@ static double side_at(const TruthView *truth_view, const TruthHit *hit) {
     return largest_stretch(picture_from_map);
 }
 
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
 double edge_map_side(const TruthView *truth_view) {
     size_t pixels = (size_t)truth_view->size.width * (size_t)truth_view->size.height, count = 0;
     double *sides = calloc(pixels, sizeof *sides);
     for (size_t i = 0; sides && i < pixels; i++)
         if (truth_view->distance[i] < 1 && truth_view->facing[i] > METRICS_LEAST_FACING)
             sides[count++] = side_at(truth_view, &truth_view->picture.hits[i]);
-    if (count > 0)
-        qsort(sides, count, sizeof *sides, compare);
-    double side = count > 0 ? sides[count * 95 / 100] : 0;
+    double side = count > 0 ? statistics_percentile(sides, count, 95) : 0;
     free(sides);
     return side;
 }

@@ -35,8 +35,7 @@ static MeasuredTime sum_passes(const Finding *finding, const float *milliseconds
 
 bool measure_concerns(const StudyScene *scene, const char *lab) {
     static MethodList list;
-    list.count = 0;
-    scene->add_methods(&list);
+    study_add_methods(&list, scene);
     for (int i = 0; i < list.count; i++)
         if (strcmp(list.methods[i].lab, lab) == 0)
             return true;
@@ -146,7 +145,7 @@ static bool time_frame(StudyPlan *plan, const TruthView *truth_view, Finding *fi
     return !counts || measurements_add_time(&plan->state, &time);
 }
 
-// A setting's turn: its resources are made anew, and the first frame, which touches them first, does not
+// A setting's turn: its resources are made again, and the first frame, which touches them first, does not
 // count.
 static bool take_turn(StudyPlan *plan, const TruthView *truth_view, Finding *finding) {
     if (finding->method.submission)
@@ -161,7 +160,7 @@ static bool take_turn(StudyPlan *plan, const TruthView *truth_view, Finding *fin
     return ok || excuse(finding);
 }
 
-static bool take_turns(StudyPlan *plan, const TruthView *truth_view, Findings *findings) {
+static bool take_turns(StudyPlan *plan, const TruthView *truth_view, SceneFindings *findings) {
     bool left = true;
     while (left) {
         left = false;
@@ -177,7 +176,7 @@ static bool take_turns(StudyPlan *plan, const TruthView *truth_view, Findings *f
     return true;
 }
 
-static int count_known(const StudyPlan *plan, Findings *findings) {
+static int count_known(const StudyPlan *plan, SceneFindings *findings) {
     int known = 0;
     MeasuredTime *times = calloc((size_t)plan->frames, sizeof *times);
     INVARIANT(times);
@@ -191,7 +190,7 @@ static int count_known(const StudyPlan *plan, Findings *findings) {
     return known;
 }
 
-static void sum_up(const StudyPlan *plan, const TruthView *truth_view, Findings *findings) {
+static void sum_up(const StudyPlan *plan, const TruthView *truth_view, SceneFindings *findings) {
     MeasuredTime *times = calloc((size_t)plan->frames, sizeof *times);
     INVARIANT(times);
     for (int i = 0; i < findings->count; i++) {
@@ -207,7 +206,7 @@ static void sum_up(const StudyPlan *plan, const TruthView *truth_view, Findings 
     findings_judge(findings);
 }
 
-static bool measure_ground(StudyPlan *plan, const TruthView *truth_view, Findings *findings) {
+static bool measure_ground(StudyPlan *plan, const TruthView *truth_view, SceneFindings *findings) {
     bool ok = true;
     for (int i = 0; ok && i < findings->count; i++)
         ok = find_errors(plan, truth_view, findings->scene, &findings->findings[i]);
@@ -222,11 +221,10 @@ static bool measure_ground(StudyPlan *plan, const TruthView *truth_view, Finding
     return ok;
 }
 
-static void list_methods(const StudyPlan *plan, const StudyScene *scene, Findings *findings) {
+static void list_methods(const StudyPlan *plan, const StudyScene *scene, SceneFindings *findings) {
     static MethodList list;
-    list.count = 0;
-    scene->add_methods(&list);
-    *findings = (Findings){.scene = scene};
+    study_add_methods(&list, scene);
+    *findings = (SceneFindings){.scene = scene};
     for (int i = 0; i < list.count; i++)
         findings->findings[findings->count++].method = list.methods[i];
     for (int i = 0; i < list.count && plan->artists.submission; i++) {
@@ -253,7 +251,7 @@ static bool write_truth(const StudyPlan *plan, const TruthView *truth_view, cons
     return ok;
 }
 
-bool measure_scene(StudyPlan *plan, const StudyScene *scene, Findings *findings) {
+bool measure_scene(StudyPlan *plan, const StudyScene *scene, SceneFindings *findings) {
     static Scene made;
     TruthView truth_view = {0};
     list_methods(plan, scene, findings);

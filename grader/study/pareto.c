@@ -1,28 +1,5 @@
 #include "study/pareto.h"
 
-#include "scene/check.h"
-
-#include <math.h>
-#include <stdlib.h>
-
-static int compare(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return x < y ? -1 : x > y;
-}
-
-double pareto_median(double *values, int count) {
-    INVARIANT(count > 0);
-    qsort(values, (size_t)count, sizeof *values, compare);
-    return (values[(count - 1) / 2] + values[count / 2]) / 2;
-}
-
-double pareto_mad(double *values, int count) {
-    double median = pareto_median(values, count);
-    for (int i = 0; i < count; i++)
-        values[i] = fabs(values[i] - median);
-    return pareto_median(values, count);
-}
-
 bool pareto_surely_faster(const Point *a, const Point *b) {
     return a->ms + a->mad < b->ms - b->mad;
 }

@@ -13,13 +13,6 @@ typedef struct Point {
 // The smallest relative difference of two errors that counts: less may come from the truth's own samples.
 #define PARETO_ERROR_NOISE 0.01
 
-// Median of `count` > 0 values, the mean of the middle two where their number is even. Sorts the values.
-double pareto_median(double *values, int count);
-
-// Median absolute deviation from the median (Hampel: The Influence Curve and Its Role in Robust Estimation,
-// JASA 1974). Overwrites the values.
-double pareto_mad(double *values, int count);
-
 // Are a's times below b's, error bars included?
 bool pareto_surely_faster(const Point *a, const Point *b);
 

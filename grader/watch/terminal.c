@@ -1,6 +1,7 @@
 #include "watch/terminal.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <errno.h>
 #include <poll.h>
@@ -15,7 +16,7 @@ static const char enter_screen[] = "\033[?1049h\033[?25l\033[2J";
 static const char leave_screen[] = "\033[?25h\033[?1049l";
 static const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 static const int fatal[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL};
-enum { ENDING = sizeof ending / sizeof ending[0], FATAL = sizeof fatal / sizeof fatal[0] };
+enum { ENDING = COUNT(ending), FATAL = COUNT(fatal) };
 
 static struct termios before;
 static sigset_t mask_before;

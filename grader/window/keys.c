@@ -1,5 +1,7 @@
 #include "window/keys.h"
 
+#include "scene/count.h"
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -215,7 +217,7 @@ static const Action actions[] = {
     {GLFW_KEY_F1, -1, change_help, 0, false, "F1", "these keys"},
 };
 
-enum { ACTION_COUNT = sizeof actions / sizeof actions[0] };
+enum { ACTION_COUNT = COUNT(actions) };
 
 // What the window itself does.
 static const struct {
@@ -228,7 +230,7 @@ static const struct {
     {WISH_QUIT, GLFW_KEY_ESCAPE, "Esc", "quit"},
 };
 
-enum { WISH_COUNT = sizeof wishes / sizeof wishes[0] };
+enum { WISH_COUNT = COUNT(wishes) };
 
 Wish keys_press(App *app, int key, int modifiers, bool repeated) {
     int shift = (modifiers & GLFW_MOD_SHIFT) != 0;

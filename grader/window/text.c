@@ -1,6 +1,7 @@
 #include "window/text.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -26,7 +27,7 @@ static FILE *open_font(void) {
         "/System/Library/Fonts/Menlo.ttc",                            // macOS
         "/System/Library/Fonts/Supplemental/Courier New.ttf",
     };
-    for (unsigned i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+    for (unsigned i = 0; i < COUNT(paths); i++) {
         FILE *file = fopen(paths[i], "rb");
         if (file)
             return file;

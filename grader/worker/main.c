@@ -9,6 +9,7 @@
 #include "protocol/protocol.h"
 #include "scene/shader_source.h"
 #include "base/pipe.h"
+#include "scene/count.h"
 
 #include <execinfo.h>
 #include <signal.h>
@@ -41,7 +42,7 @@ static void watch_crashes(void) {
     sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack}, NULL);
     struct sigaction action = {.sa_handler = report_crash, .sa_flags = SA_ONSTACK | SA_RESETHAND};
     const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
-    for (unsigned i = 0; i < sizeof signals / sizeof signals[0]; i++)
+    for (unsigned i = 0; i < COUNT(signals); i++)
         sigaction(signals[i], &action, NULL);
 }
 

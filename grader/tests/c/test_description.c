@@ -1,4 +1,4 @@
-// The description of a lab that a stranger's worker sends.
+// The description of a lab that an untrusted worker sends.
 #include "protocol/description.h"
 
 #include <math.h>

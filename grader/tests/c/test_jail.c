@@ -1,6 +1,7 @@
 // The jail by its parts: the self-test refuses what is weakened on purpose, no process is left behind,
-// archives are opened or refused. What strangers' code may try in it stands in hostile.c.
+// archives are opened or refused. What untrusted code may try in it stands in hostile.c.
 #include "scene/check.h"
+#include "scene/count.h"
 #include "base/places.h"
 #include "jail/extract.h"
 #include "jail/jail.h"
@@ -192,7 +193,7 @@ static void test_opens_archives(void **route) {
                                        "good.tar.bz2", "good.tar.xz", "good.tar"};
     (void)route;
     NEEDS_ROUTE();
-    for (unsigned i = 0; i < sizeof good / sizeof good[0]; i++) {
+    for (unsigned i = 0; i < COUNT(good); i++) {
         if (!extract(good[i]))
             fail_msg("%s: %s", good[i], check_message());
         assert_text("03-shadow-map/lab.c", "int a;\n");
@@ -227,7 +228,7 @@ static void test_refuses_archives(void **route) {
                {"missing.zip", "is not a file that can be read"}};
     (void)route;
     NEEDS_ROUTE();
-    for (unsigned i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+    for (unsigned i = 0; i < COUNT(bad); i++) {
         if (extract(bad[i].name))
             fail_msg("%s is opened", bad[i].name);
         if (!strstr(check_message(), bad[i].words) || !strstr(check_message(), bad[i].name))

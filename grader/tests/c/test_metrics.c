@@ -10,6 +10,7 @@
 #include <cmocka.h>
 
 #include "scene/random.h"
+#include "scene/count.h"
 
 enum { SIDE = 8, PIXELS = SIDE * SIDE };
 
@@ -48,7 +49,7 @@ static void test_mask(void **unused) {
     const MetricsPixels pixels = {drawn, traced, facing, measured};
     assert_int_equal(metrics_mask(size, &pixels, mask), PIXELS - 2 * SIDE - 4);
     const int out[] = {0, 1, 8, 9, 3, 4, 59, 60};
-    for (size_t i = 0; i < sizeof out / sizeof out[0]; i++)
+    for (size_t i = 0; i < COUNT(out); i++)
         assert_int_equal(mask[out[i]], 0);
     assert_int_equal(mask[2], 1);
     assert_int_equal(mask[5], 1);

@@ -1,6 +1,7 @@
 // Names as text and as file names.
 #include "base/printable.h"
 #include "scene/check.h"
+#include "scene/count.h"
 #include "scene/random.h"
 
 #include <setjmp.h>
@@ -32,7 +33,7 @@ static const char *const pairs[][2] = {{"Ann Lee", "Ann Lee"},
 
 static void test_known(void **state) {
     (void)state;
-    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+    for (size_t i = 0; i < COUNT(pairs); i++) {
         char *text = printable_name(pairs[i][0]), *back = printable_undo(pairs[i][1]);
         assert_string_equal(text, pairs[i][1]);
         assert_string_equal(back, pairs[i][0]);
@@ -44,7 +45,7 @@ static void test_known(void **state) {
 static void test_malformed(void **state) {
     (void)state;
     static const char *const texts[] = {"\\", "a\\", "\\x", "\\x1", "\\xg0", "\\n", "\\x00"};
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++)
+    for (size_t i = 0; i < COUNT(texts); i++)
         assert_null(printable_undo(texts[i]));
 }
 

@@ -1,5 +1,6 @@
 // The file of a student's progress: kept, whole, and never lost.
 #include "scene/check.h"
+#include "scene/count.h"
 #include "base/files.h"
 #include "grade/progress.h"
 
@@ -79,8 +80,8 @@ static void test_damaged(void **unused) {
                                           "{\"version\": 2, \"labs\": {}}",
                                           "{\"version\": 1, \"labs\": {\"03\": {\"score\": \"much\"}}}",
                                           "{\"version\": 1, \"labs\": {\"nine\": {}}}"};
-    enum { COUNT = sizeof damaged / sizeof damaged[0] };
-    for (int i = 0; i < COUNT; i++) {
+    enum { DAMAGED = COUNT(damaged) };
+    for (int i = 0; i < DAMAGED; i++) {
         char aside[FILES_PATH];
         snprintf(aside, sizeof aside, "%.4000s.damaged-%d", file, i + 1);
         assert_true(files_write(file, damaged[i]));
@@ -102,7 +103,7 @@ static void test_not_writable(void **unused) {
     Progress progress = load();
     setenv("SHADOW_LAB_PROGRESS", "/no/such/folder/progress.json", 1);
     assert_false(progress_record(&progress, "03", 7, 100, false));
-    assert_non_null(strstr(check_message(), "cannot be written to /no/such/folder/progress.json"));
+    assert_non_null(strstr(check_message(), "/no/such/folder/progress.json cannot be written"));
     check_clear();
     setenv("SHADOW_LAB_PROGRESS", folder, 1);
     assert_false(progress_load(&progress));

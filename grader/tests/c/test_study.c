@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/files.h"
+#include "base/statistics.h"
 #include "truth/closed_scenes.h"
 #include "study/csv.h"
 #include "study/edge.h"
@@ -14,7 +15,6 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -24,9 +24,9 @@
 static void test_median(void **unused) {
     (void)unused;
     double odd[2][5] = {{100, 2, 8, 1, 4}, {100, 2, 8, 1, 4}}, even[2][4] = {{10, 1, 3, 2}, {10, 1, 3, 2}};
-    assert_true(pareto_median(odd[0], 5) == 4 && pareto_mad(odd[1], 5) == 3);
-    assert_true(pareto_median(even[0], 4) == 2.5 && pareto_mad(even[1], 4) == 1);
-    assert_true(pareto_median((double[]){7}, 1) == 7 && pareto_mad((double[]){7}, 1) == 0);
+    assert_true(statistics_median(odd[0], 5) == 4 && statistics_mad(odd[1], 5) == 3);
+    assert_true(statistics_median(even[0], 4) == 2.5 && statistics_mad(even[1], 4) == 1);
+    assert_true(statistics_median((double[]){7}, 1) == 7 && statistics_mad((double[]){7}, 1) == 0);
 }
 
 static void test_front(void **unused) {
@@ -167,7 +167,7 @@ static void test_state(void **unused) {
     files_remove(folder);
 }
 
-static void add_finding(Findings *findings, double ms, double inside, double off, bool submission) {
+static void add_finding(SceneFindings *findings, double ms, double inside, double off, bool submission) {
     Finding *finding = &findings->findings[findings->count];
     *finding = (Finding){.method = {.lab = "05", .family = "linear", .submission = submission},
                          .drawn = true,
@@ -180,10 +180,10 @@ static void add_finding(Findings *findings, double ms, double inside, double off
 // errs.
 static void test_need(void **unused) {
     (void)unused;
-    static Findings findings;
+    static SceneFindings findings;
     static const StudyScene scene = {.name = "made up", .tolerance = 1e-4};
     char text[512];
-    findings = (Findings){.scene = &scene};
+    findings = (SceneFindings){.scene = &scene};
     add_finding(&findings, 1, 0.5, 0.1, false);      // leaks
     add_finding(&findings, 2, 0.00001, 0.51, false); // its edge is off; next cheaper
     add_finding(&findings, 3, 0, 0.5, false);        // needed

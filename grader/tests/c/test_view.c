@@ -94,7 +94,7 @@ static void test_knobs(void **unused) {
     assert_true(fabsf(stepped("", 0, 0.1F, 0.01F, 0.01F, 1, false) - 0.015F) < 1e-6F);
     assert_true(fabsf(stepped("", 0, 0.1F, 0.01F, 0.01F, -1, true) - 0.0095F) < 1e-6F);
     assert_true(fabsf(stepped("", 0.1F, 100, 100, 50, -1, false) - 50 / sqrtf(2)) < 1e-4F);
-    assert_true(stepped("", 0, 0, 0, 0, 1, false) == 0); // of a stranger: no range at all
+    assert_true(stepped("", 0, 0, 0, 0, 1, false) == 0); // untrusted: no range at all
 }
 
 static void test_knob_texts(void **unused) {

@@ -42,7 +42,7 @@ def say(*words):
     print(*words)
 for name, page in pages.items():
     for link in page.links:
-        if re.match(r"https?:", link): continue
+        if re.match(r"https?:|data:", link): continue
         path, _, anchor = link.partition("#")
         target = urllib.parse.unquote(path) or name
         if not (site / target).is_file(): say(name, "links to", link, "which is not there")
