@@ -44,6 +44,10 @@ site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: 
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
 
+new-lab: ## begin a new lab from a template: make new-lab LAB=09 NAME="soft shadows"
+	@mkdir -p $(BUILD)
+	@$(SCRIPTS)/new_lab $(BUILD) "$$LAB" "$$NAME" # from the environment, as they are
+
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@$(SCRIPTS)/pictures $(LAB)
 
@@ -52,6 +56,9 @@ contexts: build ## do OSMesa and EGL give the same verdicts on the whole catalog
 
 table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@$(SCRIPTS)/table
+
+mutants: build ## does each rubric notice every small change of its solution? make mutants [LAB=03] [ARGS="--seeds 3"]
+	$(BUILD)/mutants $(LAB_OPTION) $(ARGS)
 
 test: build tests ## run all tests
 	@grader/tests/run $(BUILD)

@@ -126,14 +126,14 @@ static void find_focus(LabBoard *board) {
         find_todo(board, focus->task, focus->place, sizeof focus->place);
 }
 
-static bool record(LabBoard *board, const Verdict *verdict) {
+static bool record(LabBoard *board, const LabVerdict *verdict) {
     if (verdict->fault || verdict->status > LAB_FAILED) // it does not compile just now: that is no step back
         return true;
     return progress_record(&board->progress, board->rubrics[verdict->lab].id, verdict->score,
                            verdict->max_score, verdict->done);
 }
 
-bool lab_board_take(LabBoard *board, const Verdict *verdict) {
+bool lab_board_take(LabBoard *board, const LabVerdict *verdict) {
     if (!record(board, verdict))
         snprintf(board->message, sizeof board->message, "%s", check_message());
     check_clear();

@@ -25,7 +25,7 @@ typedef struct LabBoard {
     int current;   // the lab on the desk
     bool known;    // verdict and focus are there, and of this lab
     bool was_open; // an earlier verdict of this visit was not done
-    Verdict verdict;
+    LabVerdict verdict;
     double score_before; // the points before this verdict; -1 when there were none in this visit
     char clock[16];      // when the verdict came
     Focus focus;
@@ -45,7 +45,7 @@ int lab_board_next(const LabBoard *board);
 
 // Takes a verdict for a lab of the desk: records it and finds where to look. True when the current lab has
 // just been done.
-bool lab_board_take(LabBoard *board, const Verdict *verdict);
+bool lab_board_take(LabBoard *board, const LabVerdict *verdict);
 
 // The folder of a lab's files.
 void lab_board_lab_folder(const LabBoard *board, int lab, char folder[FILES_PATH]);

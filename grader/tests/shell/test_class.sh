@@ -67,7 +67,7 @@ grades "${common[@]}" --output "$work/whole" --only "nobody"
 expect "nobody" 3 'holds no submission "nobody"'
 echo torn >"$work/whole/results/$(ls "$work/whole/results" | head -1)"
 grades "${common[@]}" --output "$work/whole" --resume
-expect "a torn record is made again" 0 "were graded before"
+expect "a torn record is made again" 0 "done before"
 cmp -s "$work/whole/grades.csv" "$work/killed/grades.csv" && ok || bad "after a torn record"
 usage() { local name=$1 text=$2; shift 2; grades "$@"; expect "$name" 2 "$text"; }
 usage "a class without OUT" "--class needs --output" --class "$class"
