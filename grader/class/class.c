@@ -39,10 +39,10 @@ static bool grade_folder(Class *class, const RosterEntry *entry, Report *report)
         return session_grade(&class->session, path, report);
     if (!files_make_temporary(inside))
         return false;
-    Unpacked unpacked = archive_unpack(&class->jail, path, inside);
-    bool ok = unpacked == UNPACK_OK
-                  ? session_grade(&class->session, inside, report)
-                  : unpacked == UNPACK_REFUSED && session_refuse(&class->session, check_message(), report);
+    Extracted unpacked = archive_unpack(&class->jail, path, inside);
+    bool ok = unpacked == EXTRACT_OK ? session_grade(&class->session, inside, report)
+                                     : unpacked == EXTRACT_BAD_ARCHIVE &&
+                                           session_refuse(&class->session, check_message(), report);
     files_remove(inside);
     return ok;
 }

@@ -58,8 +58,8 @@ static bool parse_lab(Options *options, const char *id) {
     for (int i = 0; i < options->lab_count; i++)
         if (strcmp(options->labs[i], id) == 0)
             return true;
-    if (options->lab_count == RESULT_MAX_LABS)
-        return check_fail("--lab was given more than %d times", RESULT_MAX_LABS);
+    if (options->lab_count == COURSE_MAX_LABS)
+        return check_fail("--lab was given more than %d times", COURSE_MAX_LABS);
     options->labs[options->lab_count++] = id;
     return true;
 }

@@ -14,7 +14,7 @@ typedef struct Options {
     bool seeded;     // --seed was given
     bool trusted;    // no jail
     JailRoute route; // the only one to take; JAIL_NONE: any
-    const char *labs[RESULT_MAX_LABS];
+    const char *labs[COURSE_MAX_LABS];
     int lab_count;          // 0: all
     const char *output;     // a folder, NULL for none
     bool record;            // note the points in the student's progress

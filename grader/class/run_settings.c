@@ -19,7 +19,9 @@ enum { LOCK_TRIES = 100, LOCK_PAUSE = 100 * 1000 }; // microseconds
 
 static void add_lab(const char *id, void *context) {
     RunSettings *plan = context;
-    if (plan->lab_count < RESULT_MAX_LABS)
+    if (plan->lab_count == COURSE_MAX_LABS)
+        check_fail("there are more than %d labs", COURSE_MAX_LABS);
+    else
         memcpy(plan->labs[plan->lab_count++], id, sizeof plan->labs[0]);
 }
 
@@ -30,7 +32,7 @@ static bool from_options(RunSettings *plan, const Options *options) {
                           .lock = -1};
     for (int i = 0; i < options->lab_count; i++)
         add_lab(options->labs[i], plan);
-    return options->lab_count > 0 || places_list_labs(add_lab, plan);
+    return options->lab_count > 0 || (places_list_labs(add_lab, plan) && !check_message()[0]);
 }
 
 static char *to_text(const RunSettings *plan) {

@@ -10,7 +10,7 @@ typedef struct RunSettings {
     ContextKind context;
     double seconds;
     int lab_count; // never 0
-    char labs[RESULT_MAX_LABS][3];
+    char labs[COURSE_MAX_LABS][3];
     int lock; // descriptor of class.json, which holds the lock; -1: none
 } RunSettings;
 

@@ -76,24 +76,13 @@ bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG])
     return ok;
 }
 
-static bool locate_one(const char *folder, const Jail *jail, const char *offset, char *place, size_t size) {
+bool compiler_locate(const char *folder, const Jail *jail, uint64_t offset, char place[COMPILE_PLACE]) {
     static _Thread_local Process process;
-    char *arguments[] = {"addr2line", "-s", "-e", "lab.so", (char *)offset, NULL};
+    char number[32];
+    snprintf(number, sizeof number, "0x%llx", (unsigned long long)offset);
+    char *arguments[] = {"addr2line", "-s", "-e", "lab.so", number, NULL};
     if (!run_tool(&process, arguments, folder, NULL, jail) || process.text[0] == '?')
         return false;
-    snprintf(place, size, "%.*s", (int)strcspn(process.text, " \n"), process.text);
+    snprintf(place, COMPILE_PLACE, "%.*s", (int)strcspn(process.text, " \n"), process.text);
     return true;
-}
-
-void compiler_locate(const char *folder, const Jail *jail, char *text, size_t size) {
-    char *mark = strstr(text, " @0x");
-    char *end = mark ? strchr(mark + 2, '@') : NULL;
-    if (!end)
-        return;
-    char offset[32], place[128] = "", rest[1024];
-    snprintf(offset, sizeof offset, "%.*s", (int)(end - mark - 2), mark + 2);
-    snprintf(rest, sizeof rest, "%s", end + 1);
-    bool found = locate_one(folder, jail, offset, place, sizeof place);
-    *mark = '\0';
-    check_append(text, size, "%s%s%s%s", found ? " (" : "", place, found ? ")" : "", rest);
 }

@@ -27,15 +27,26 @@ static bool replace_text(char **text, char *changed) {
     return changed != NULL;
 }
 
+// False with a message that names the mistake and the edit.
+static bool apply_edit(char **text, const Rubric *rubric, const Change *change, int e) {
+    char reason[1024];
+    check_clear();
+    if (replace_text(text, task_blocks_edit(*text, &change->edits[e])))
+        return true;
+    snprintf(reason, sizeof reason, "%s", check_message());
+    check_clear();
+    const JsonPlace outer = rubric_change_place(rubric, change);
+    const JsonPlace place = json_fields_enter(&outer, "edits", (size_t)e, NULL);
+    return json_fields_fail(&place, "find", "%s", reason);
+}
+
 static bool apply_edits(Texts *texts, const Rubric *rubric, const Change *change) {
     for (int e = 0; change && e < change->edit_count; e++) {
         int i = 0;
         while (i < rubric->file_count && strcmp(rubric->files[i], change->edits[e].file) != 0)
             i++;
-        if (i == rubric->file_count)
-            return check_fail("\"%s\" edits %s, which rubric.json does not list", change->name,
-                              change->edits[e].file);
-        if (!replace_text(&texts->of[i], task_blocks_edit(texts->of[i], &change->edits[e])))
+        INVARIANT(i < rubric->file_count); // rubric_load has looked
+        if (!apply_edit(&texts->of[i], rubric, change, e))
             return false;
     }
     return true;
@@ -51,6 +62,14 @@ static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
             return false;
     }
     return true;
+}
+
+bool lab_folder_can_change(const Rubric *rubric, const Change *change) {
+    Texts texts = {0};
+    const bool ok =
+        read_ours(&texts, rubric, (Solved){SOLVED_ALL, NULL}) && apply_edits(&texts, rubric, change);
+    free_texts(&texts);
+    return ok;
 }
 
 // The worker stands for common/: it is linked again when a header or a function there changes.

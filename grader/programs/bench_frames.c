@@ -1,6 +1,7 @@
 // bench_frames NN: milliseconds of a lab's frames, of scoring and of writing PNG. For `make bench`; not a
 // test.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
 #include "base/places.h"
@@ -129,7 +130,7 @@ int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
     if (count != 2 || !bench(arguments[1])) {
         fprintf(stderr, "bench_frames: %s\n", count == 2 ? check_message() : "usage: bench_frames NN");
-        return count == 2 ? 1 : 2;
+        return count == 2 ? 3 : 2;
     }
     return 0;
 }

@@ -1,5 +1,6 @@
 // frame: draws one frame of one of our labs to a PNG; the pictures of the handouts are made with it.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
 #include "base/places.h"
@@ -168,10 +169,11 @@ int main(int count, char **arguments) {
     char folder[FILES_PATH];
     Rubric rubric = {0};
     bool found = places_find_lab(folder, options.lab) || check_fail("there is no lab \"%s\"", options.lab);
-    bool ok = found && rubric_load(&rubric, folder) &&
-              (options.job ? write_job(&options, &rubric) : draw(&options, &rubric, arguments[count - 1]));
+    bool known = found && rubric_load(&rubric, folder);
+    bool ok =
+        known && (options.job ? write_job(&options, &rubric) : draw(&options, &rubric, arguments[count - 1]));
     if (!ok)
         fprintf(stderr, "frame: %s\n", check_message());
     rubric_destroy(&rubric);
-    return ok ? 0 : 1;
+    return ok ? 0 : found && !known ? 3 : 1;
 }

@@ -7,6 +7,7 @@
 #include "base/temporary.h"
 #include "proof/lab_mutants.h"
 #include "scene/check.h"
+#include "base/limits.h"
 
 #include <getopt.h>
 #include <signal.h>
@@ -14,12 +15,12 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-enum { MAX_SEEDS = 100, MAX_LABS = 32, MAX_PROCESSES = 64 };
+enum { MAX_SEEDS = 100, MAX_PROCESSES = 64 };
 
 typedef struct Run {
     MutantSettings settings;
     bool list, unclean, broken;
-    const char *labs[MAX_LABS];
+    const char *labs[COURSE_MAX_LABS];
     int lab_count;
 } Run;
 
@@ -47,7 +48,7 @@ static bool take_option(Run *run, int option) {
     case 'p':
         return run->list = true;
     case 'l':
-        if (run->lab_count < MAX_LABS)
+        if (run->lab_count < COURSE_MAX_LABS)
             run->labs[run->lab_count++] = optarg;
         return true;
     default:

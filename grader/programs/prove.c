@@ -1,9 +1,11 @@
 // prove [--lab NN]... [--seeds N] [--context C]: proves a rubric. Over N seeds it draws, for each lab, the
 // solution, the skeleton, the lab solved up to each task, each catalogued mistake and each alternative,
-// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 1 when one
-// of them is not graded as it should be: solution and alternatives 100 %, skeleton 0 on every check, no task
-// takes points away, mistakes below the pass mark and named correctly. `N passed, N failed` counts rows.
+// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 3 when
+// something of ours cannot be drawn, else 1 when one of them is not graded as it should be: solution and
+// alternatives 100 %, skeleton 0 on every check, no task takes points away, mistakes below the pass mark and
+// named correctly. `N passed, N failed` counts rows.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "grade/grade_lab.h"
 #include "diagnose/diagnose.h"
 #include "base/places.h"
@@ -182,7 +184,7 @@ static bool run_row(ProofRow *row, Exam *exam, Painters *painters) {
 
 // One row a task that a check is about, solved up to it.
 static int list_partials(ProofRow *rows, int count, const Rubric *rubric) {
-    for (int n = 1; n < 20; n++) {
+    for (int n = 1; n < EXAM_MAX_TASKS; n++) {
         const char *task = rubric_task(rubric, n);
         if (task)
             rows[count] = (ProofRow){.kind = KIND_PARTIAL,
@@ -244,7 +246,7 @@ static bool prove_seeds(const Rubric *rubric, Proof *proof, ProofRow *rows, int 
 
 static void prove_lab(const char *id, void *context) {
     Proof *proof = context;
-    static ProofRow rows[128];
+    static ProofRow rows[EXAM_MAX_PAINTERS];
     char folder[FILES_PATH];
     Rubric rubric = {0};
     if (proof->broken)
@@ -268,14 +270,14 @@ int main(int count, char **arguments) {
                                           {"context", required_argument, NULL, 'c'},
                                           {0}};
     Proof proof = {.seeds = 10};
-    const char *labs[RESULT_MAX_LABS];
+    const char *labs[COURSE_MAX_LABS];
     int lab_count = 0;
     bool ok = true;
     for (int option; ok && (option = getopt_long(count, arguments, "", table, NULL)) != -1;) {
         ok = option != '?' && (option != 'c' || context_parse(&proof.context, optarg));
         if (option == 's')
             proof.seeds = atoi(optarg);
-        if (option == 'l' && lab_count < RESULT_MAX_LABS)
+        if (option == 'l' && lab_count < COURSE_MAX_LABS)
             labs[lab_count++] = optarg;
     }
     if (!ok || optind != count || proof.seeds < 1 || proof.seeds > MAX_SEEDS) {
@@ -288,11 +290,11 @@ int main(int count, char **arguments) {
         "| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
         proof.seeds);
     if (lab_count == 0)
-        places_list_labs(prove_lab, &proof);
+        proof.broken = !places_list_labs(prove_lab, &proof) || proof.broken;
     for (int i = 0; i < lab_count; i++)
         prove_lab(labs[i], &proof);
     if (proof.broken)
         fprintf(stderr, "prove: %s\n", check_message());
     printf("%d passed, %d failed\n", proof.passed, proof.failed + proof.broken);
-    return proof.broken || proof.failed ? 1 : 0;
+    return proof.broken ? 3 : proof.failed > 0;
 }

@@ -100,5 +100,5 @@ int main(int count, char **arguments) {
     bool ok = record_all(one ? arguments[2] : NULL, arguments[first], arguments + first + 1);
     if (!ok)
         fprintf(stderr, "record_exams: %s\n", check_message());
-    return ok ? 0 : 1;
+    return ok ? 0 : 3;
 }

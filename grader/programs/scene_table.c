@@ -1,6 +1,7 @@
 // scenes: what each lab's scenes are made of, and how much the graded views need it; prints a table
 // (Markdown, for grader/README.md).
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "proof/scene_needs.h"
 #include "base/places.h"
 
@@ -43,9 +44,9 @@ int main(int count, char **arguments) {
     }
     printf("| lab | scene | planes | boxes | spheres | triangles | least need, %% |\n");
     printf("|---|---|---|---|---|---|---|\n");
-    places_list_labs(print_lab, &table);
+    table.broken = !places_list_labs(print_lab, &table) || table.broken;
     worker_client_stop(&table.worker);
     if (table.broken)
         fprintf(stderr, "scenes: %s\n", check_message());
-    return table.broken ? 1 : 0;
+    return table.broken ? 3 : 0;
 }

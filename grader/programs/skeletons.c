@@ -3,6 +3,7 @@
 // rubric does not list are the grader's. What is unchanged is not rewritten.
 #include "scene/check.h"
 #include "compile/lab_folder.h"
+#include "compile/rubric_file.h"
 #include "base/places.h"
 
 #include <stdio.h>

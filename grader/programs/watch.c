@@ -31,7 +31,7 @@ typedef struct Watch {
     LabBoard board;
     GradingProcess bench;
     Viewer viewer;
-    FileWatch changes[RESULT_MAX_LABS];
+    FileWatch changes[COURSE_MAX_LABS];
     bool entered; // the lab on the desk has just come there, and is to be graded
     bool listing, dirty, end;
     int marked; // in the list
@@ -279,7 +279,7 @@ int main(int count, char **arguments) {
     if (!lab_board_create(&watch.board, options.folder, options.lab)) {
         fprintf(stderr, "watch: %s\n", check_message());
         lab_board_destroy(&watch.board);
-        return EXIT_USAGE;
+        return watch.board.current < 0 ? EXIT_USAGE : EXIT_FAULT;
     }
     options.bench.folder = options.folder;
     options.bench.rubrics = watch.board.rubrics;
