@@ -9,8 +9,9 @@
 
 enum { COMPILE_LOG = 16 * 1024, COMPILE_PLACE = 128 };
 
-// Compiles folder/lab.c with fixed arguments and limits, in the jail (NULL: it is our own, outside). `log`
-// gets what gcc says (errors or warnings). False with a message when there is no lab.so.
+// Compiles folder/lab.c, which is given what given_place has placed there (else everything), with fixed
+// arguments and limits, in the jail (NULL: it is our own, outside). `log` gets what gcc says (errors or
+// warnings). False with a message when there is no lab.so.
 bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG]);
 
 // Writes where an offset in folder/lab.so stands in the source ("lab.c:12"), from the debug information of

@@ -1,6 +1,7 @@
 #include "compile/lab_folder.h"
 
 #include "scene/check.h"
+#include "compile/given.h"
 #include "base/hash.h"
 #include "base/places.h"
 
@@ -99,7 +100,8 @@ static bool write_texts(const char *folder, const Rubric *rubric, const Texts *t
 static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts *texts) {
     char aside[FILES_PATH], log[COMPILE_LOG];
     snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
-    if (!files_make_folder(aside) || !write_texts(aside, rubric, texts))
+    if (!files_make_folder(aside) || !write_texts(aside, rubric, texts) ||
+        !given_place(aside, rubric->id, NULL))
         return false;
     if (!compiler_build(aside, NULL, log)) {
         files_remove(aside);
@@ -149,7 +151,7 @@ bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rub
         ok = texts.of[i] && replace_text(&texts.of[i], task_blocks_select(rubric->files[i], texts.of[i],
                                                                           (Solved){SOLVED_ALL, NULL}, true));
     }
-    ok = ok && write_texts(folder, rubric, &texts) &&
+    ok = ok && write_texts(folder, rubric, &texts) && given_place(folder, rubric->id, jail) &&
          ((earlier && take_library(folder, earlier)) || compiler_build(folder, jail, log));
     free_texts(&texts);
     return ok;

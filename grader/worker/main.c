@@ -105,7 +105,7 @@ int main(int count, char **arguments) {
     setvbuf(stdout, NULL, _IOLBF, 0); // what a lab prints is seen at once
     worker.lab_folder = arguments[2];
     worker.shader_folder = arguments[3];
-    shader_source_folders(".", worker.shader_folder);
+    shader_source_folders(worker.shader_folder, worker.shader_folder); // for our own
     worker.ready = start(arguments[1]);
     while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
         INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&

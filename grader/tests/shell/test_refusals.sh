@@ -74,11 +74,11 @@ for n in 1 2; do echo "// again $n" >>labs/03-shadow-map/shadow.frag && runs gra
 runs grader/scripts/reset 03
 expect "reset of a skeleton" 0 "is the skeleton already"
 runs grader/scripts/reset 77
-expect "reset of no lab" 2 "which lab?"
+expect "reset of no lab" 2 'there is no lab "77"; there are 01, 02'
 runs grader/scripts/hint 3.2
 expect "hint" 0 "Hint 1 of 2 for task 3.2"
 runs grader/scripts/hint 3.77
-expect "hint of no task" 1 "has no task 3.77"
+expect "hint of no task" 2 "has no task 3.77; it has 3.1, 3.2"
 runs grader/scripts/hint
 expect "hint without a task" 2 "make hint TASK=3.2"
 runs common/setup --frobnicate
