@@ -1,12 +1,13 @@
 // What a lab is graded by: solutions/NN-name/rubric.json, mistakes.json, alternatives.json and hints.json,
-// read once.
+// read once (rubric_file.h).
 #pragma once
 
+#include "base/json_fields.h"
+#include "base/limits.h"
 #include "compile/task_blocks.h"
+#include "lab.h"
 
 #include <stdbool.h>
-
-enum { RUBRIC_MAX_CHECKS = 16, RUBRIC_MAX_FILES = 8, RUBRIC_MAX_KNOBS = 4, RUBRIC_MAX_EDITS = 6 };
 
 // One thing that is looked at, worth `points`.
 typedef struct Check {
@@ -19,13 +20,13 @@ typedef struct Check {
     struct {
         const char *name;
         float value;
-    } knobs[RUBRIC_MAX_KNOBS];
+    } knobs[LAB_MAX_KNOBS];
     int knob_count;
 } Check;
 
 // The solution changed in a few places: a mistake (with its task and a hint) or another correct way.
 typedef struct Change {
-    const char *name, *task, *hint;
+    const char *name, *task, *hint; // an alternative has no task and no hint
     Edit edits[RUBRIC_MAX_EDITS];
     int edit_count;
 } Change;
@@ -50,12 +51,14 @@ typedef struct Rubric {
     int mistake_count, alternative_count;
     Hint *hints;
     int hint_count;
-    struct RubricJson *json; // where the strings live
+    json_t *json; // where the strings live
 } Rubric;
 
-// Reads the files in `folder`. The message names file and entry of what is wrong.
-bool rubric_load(Rubric *rubric, const char *folder);
 void rubric_destroy(Rubric *rubric); // accepts a zeroed rubric
+
+// Where a check, or a mistake or alternative of this rubric stands in its file, for messages.
+JsonPlace rubric_check_place(const Rubric *rubric, const Check *check);
+JsonPlace rubric_change_place(const Rubric *rubric, const Change *change);
 
 // Sum of the points of all checks.
 int rubric_points(const Rubric *rubric);

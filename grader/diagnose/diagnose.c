@@ -18,8 +18,9 @@ typedef struct Distances {
     double to_mistake[EXAM_MAX_MISTAKES];
 } Distances;
 
-static void name_cause(CheckResult *check, const char *mistake, const char *hint) {
+static void name_cause(CheckResult *check, const char *mistake, const char *kind, const char *hint) {
     check->has_cause = true;
+    snprintf(check->kind, sizeof check->kind, "%s", kind);
     snprintf(check->mistake, sizeof check->mistake, "%s", mistake);
     snprintf(check->hint, sizeof check->hint, "%s", hint ? hint : "");
 }
@@ -132,20 +133,21 @@ static void name_open(CheckResult *check, Open open, const Rubric *rubric) {
     else
         snprintf(text, sizeof text, "tasks %s to %s show only together, and one of them is not done", task,
                  rubric_task(rubric, open.last));
-    name_cause(check, text, rubric_hint(rubric, task, 0));
+    name_cause(check, text, text, rubric_hint(rubric, task, 0));
     check->undone = true;
     check->cause_task = task;
 }
 
 static void name_kind(CheckResult *check, int c, Exam *exam) {
     char text[256];
+    const char *kind = text;
     const char *task = next_task(check, c, exam);
     if (task)
         snprintf(text, sizeof text, "task %s or one after it is not done", task);
     else
-        error_kind(text, sizeof text, &check->yours[check->worst],
-                   &exam->variants[c][check->worst].reference);
-    name_cause(check, text, rubric_hint(exam->rubric, task ? task : check->check->task, 0));
+        kind = error_kind(text, sizeof text, &check->yours[check->worst],
+                          &exam->variants[c][check->worst].reference);
+    name_cause(check, text, kind, rubric_hint(exam->rubric, task ? task : check->check->task, 0));
     check->undone = task != NULL;
     check->cause_task = task;
 }
@@ -159,10 +161,10 @@ static void explain(CheckResult *check, int c, const Distances *distances, int c
         bool alone = touch == TOUCH_TASK_MISSING;
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task,
                  alone ? "" : " or one before it");
-        name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
+        name_cause(check, text, text, rubric_hint(rubric, check->check->task, 0));
         check->undone = true;
     } else if (own >= 0 && (common >= 0 || !error_kind_is_plain(&check->yours[check->worst]))) {
-        name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
+        name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].name, rubric->mistakes[own].hint);
         check->cause_task = rubric->mistakes[own].task;
     } else {
         name_kind(check, c, exam);

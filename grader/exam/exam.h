@@ -7,8 +7,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { EXAM_MAX_VARIANTS = 8, EXAM_MAX_MISTAKES = 40, EXAM_MAX_TASKS = 20 };
-
 typedef struct Variant {
     Request request;
     Image reference, without, skeleton;

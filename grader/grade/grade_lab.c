@@ -68,14 +68,13 @@ typedef struct Ratios {
 static void note_output(LabResult *result, const char *printed) {
     enum { MAX_LINES = 12, MAX_TEXT = 1000 };
     char text[MAX_TEXT + 64] = "it printed:";
-    const char *end = printed, *ours = strstr(printed, PROTOCOL_PLACE);
-    for (int line = 0; *end && end != ours && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
         end += strcspn(end, "\n");
-        end += *end == '\n' && end != ours;
+        end += *end == '\n';
     }
     const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
-    check_append(text, sizeof text, "\n%.*s%s", length, printed,
-                 printed[length] && printed + length != ours ? "..." : "");
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
     if (length > 0)
         add_warning(result, text);
 }
@@ -97,10 +96,12 @@ static DrawResult draw_one(LabResult *result, WorkerClient *student, const Varia
 }
 
 // A check in which the worker was lost has no pictures to judge: how it was lost is its cause.
-static void lose_check(CheckResult *check, const char *how) {
+static void lose_check(CheckResult *check, DrawResult drawn, const char *how) {
     for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
         image_destroy(&check->yours[n]);
     result_clean(check->mistake, sizeof check->mistake, how);
+    snprintf(check->kind, sizeof check->kind, "%s",
+             drawn == DRAW_TIMEOUT ? "it ran out of its time" : "it crashed or ended by itself");
     check->has_cause = true;
 }
 
@@ -110,16 +111,15 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
                        float *milliseconds) {
     static Reply reply;
     CheckResult *check = &result->checks[c];
-    bool alive = true;
-    for (int n = 0; alive && n < check->check->variants; n++) {
-        const DrawResult drawn = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &reply);
-        alive = drawn == DRAW_OK || drawn == DRAW_FAILED;
+    DrawResult drawn = DRAW_OK;
+    for (int n = 0; (drawn == DRAW_OK || drawn == DRAW_FAILED) && n < check->check->variants; n++) {
+        drawn = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &reply);
         if (drawn == DRAW_OK)
             *milliseconds = exam_milliseconds(&reply);
     }
-    if (alive)
+    if (drawn == DRAW_OK || drawn == DRAW_FAILED)
         return true;
-    lose_check(check, reply.message);
+    lose_check(check, drawn, reply.message);
     note_output(result, student->process.text);
     return worker_client_restart(student);
 }
