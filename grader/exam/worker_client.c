@@ -121,6 +121,7 @@ static void clean_reply(Reply *reply) {
     for (int i = 0; i < LAB_MAX_PASSES; i++)
         if (!(reply->milliseconds[i] >= 0 && reply->milliseconds[i] < 1e9f))
             reply->milliseconds[i] = 0;
+    reply->facts.refused = reply->facts.refused != 0;
 }
 
 // The reply and exactly `size` bytes of payload; zeroes when they do not come.

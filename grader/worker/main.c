@@ -67,9 +67,8 @@ static bool perform(const Request *request, Reply *reply, void *payload) {
     LoadedLab *hosted = loaded_lab_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
     if (!hosted)
         return check_fail("too many labs in one worker");
-    return request->describe
-               ? loaded_lab_describe(hosted, payload)
-               : loaded_lab_draw(hosted, &worker.stage_view, request, reply->milliseconds, payload);
+    return request->describe ? loaded_lab_describe(hosted, payload)
+                             : loaded_lab_draw(hosted, &worker.stage_view, request, reply, payload);
 }
 
 static bool answer(const Request *request) {
