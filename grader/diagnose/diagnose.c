@@ -1,3 +1,5 @@
+// The order of the causes: one mistake for all checks, solved up to a task, task not done, a mistake for this
+// check, and last the kind of error. grader/diagnose/README.md gives the reasons.
 #include "diagnose/diagnose.h"
 
 #include "scene/check.h"

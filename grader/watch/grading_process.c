@@ -1,3 +1,5 @@
+// Both sides of the pipe: the child that grades and prepares in the time between, and the parent that asks
+// and takes verdicts.
 #include "watch/grading_process.h"
 
 #include "scene/check.h"

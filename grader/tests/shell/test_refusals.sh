@@ -57,6 +57,7 @@ broken "points that do not sum to 100" "FAILED: 03-shadow-map: 100 points" "sed 
 broken "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds without warnings" "sed -i 's/    (void)light;//' $three/lab.c && sed -i 's/^static void destroy/static int unused;\n&/' $three/lab.c && build/skeletons labs"
 broken "a long file" "FAILED: files of at most 300 lines" "seq -f '// %g' 301 >common/long.h"
 broken "a long student file" "FAILED: student files of at most 120 lines" "seq -f '// %g' 121 >>$three/shadow.frag && build/skeletons labs"
+broken "a long .c that does not say its job" "common/gl.c: its first line says nothing" "sed -i '0,/^#include/{/^\/\//d}' common/gl.c"
 broken "common/ that knows a lab" "FAILED: floors: common/ knows neither labs" "echo '// see solutions/03' >>common/scene/random.h"
 broken "an include that points up" "common/scene/random.c:3: scene includes draw.h, which is up" "sed -i '2a #include \"draw.h\"' common/scene/random.c"
 broken "a package in a room that does not know it" "only truth may include embree3/rtcore.h" "sed -i '2a #include <embree3/rtcore.h>' common/scene/random.c"
