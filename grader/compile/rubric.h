@@ -32,7 +32,7 @@ typedef struct Check {
     int knob_count;
     const char *scenes[RUBRIC_MAX_CHOICES]; // walked through as the knobs' choices are
     int scene_count;                        // at least 1 in a rubric that was read
-    bool large;                             // its frames are larger than 640 x 480, see exam/draw.h
+    bool large;                             // its frames are larger than 640 x 480, see exam/exam_draw.h
 } Check;
 
 // The solution changed in a few places: a mistake (with its task and a hint) or another correct way.
