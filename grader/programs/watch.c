@@ -1,4 +1,4 @@
-// watch: grades a lab whenever one of its files is saved, and says what to do next. See grader/README.md.
+// watch: grades a lab whenever one of its files is saved, and says what to do next. See grader/watch/README.md.
 #include "base/file_watch.h"
 #include "scene/check.h"
 #include "base/command_line.h"

@@ -1,4 +1,4 @@
-// How wrong a picture is, from the pixels alone. grader/README.md gives the reasons. No GL.
+// How wrong a picture is, from the pixels alone. README.md beside it gives the reasons. No GL.
 #pragma once
 
 #include "scene/image.h"
