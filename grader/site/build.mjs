@@ -10,14 +10,18 @@ const read = (name) => readFileSync(new URL(name, import.meta.url), "utf8");
 const shell = read("../pages/shell.html"), style = read("../pages/base.css") + read("style.css");
 const policy = "img-src 'self' file: data:";
 
-// What each room of the grader says of itself: its README, and its tables.
+// What each room of the grader says of itself: its README first, and then its tables.
 function rooms() {
+  const group = "Rooms of the grader";
   const folders = readdirSync("grader").filter((name) => statSync(`grader/${name}`).isDirectory()).sort();
-  return folders.flatMap((room) => readdirSync(`grader/${room}`).filter((name) => name.endsWith(".md")).sort().map((name) => ({
-    source: `grader/${room}/${name}`,
-    file: `grader-${room}${name === "README.md" ? "" : `-${name.slice(0, -3).toLowerCase()}`}.html`,
-    group: "Rooms of the grader",
-  })));
+  return folders.flatMap((room) => {
+    const tables = readdirSync(`grader/${room}`).filter((name) => name.endsWith(".md") && name !== "README.md").sort();
+    const page = (name, file) => ({ source: `grader/${room}/${name}`, file: `grader-${room}${file}.html`, group });
+    return [
+      ...(existsSync(`grader/${room}/README.md`) ? [page("README.md", "")] : []),
+      ...tables.map((name) => page(name, `-${name.slice(0, -3).toLowerCase()}`)),
+    ];
+  });
 }
 
 // The pages in the order of the lectures.

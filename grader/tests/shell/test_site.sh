@@ -54,13 +54,14 @@ for source in sys.argv[2:]:
     text = re.sub(r"(?ms)^```.*?^```", "", pathlib.Path(source).read_text())
     text = re.sub(r"(?m)^ {4}.*$", "", re.sub(r"`[^`]+`", "", text))
     count = len(re.findall(r"(?s)\$\$.+?\$\$|\$[^$]+\$", text))
-    way = source.split("/")
-    room = "-".join(part.lower().removesuffix(".md") for part in way if part != "README.md")
-    name = {"README.md": "index", "common/DEBUGGING.md": "debugging", ".github/CONTRIBUTING.md": "contributing"}.get(source, room if way[0] == "grader" else way[-2]) + ".html"
+    parts = source.split("/")
+    room = "-".join(part.lower().removesuffix(".md") for part in parts if part != "README.md")
+    name = {"README.md": "index", "common/DEBUGGING.md": "debugging", ".github/CONTRIBUTING.md": "contributing"}.get(source)
+    name = (name or (room if parts[0] == "grader" else parts[-2])) + ".html"
     if pages[name].math != count: say(name, "has", pages[name].math, "formulas,", source, "has", count)
 name, way = "index.html", []
 while name: way.append(name); name = pages[name].next
-if way != ["index.html", *sorted(n for n in pages if n[0].isdigit()), "debugging.html", "contributing.html", "grader.html", *sorted(n for n in pages if n.startswith("grader-"))]: say("the way through the lectures is", way)
+if way != ["index.html", *sorted(n for n in pages if n[0].isdigit()), "debugging.html", "contributing.html", "grader.html", *sorted((n for n in pages if n.startswith("grader-")), key=lambda n: n[:-5])]: say("the way through the lectures is", way)
 print(len(pages), "pages", sum(p.math for p in pages.values()), "formulas")
 sys.exit(wrong > 0)
 PYTHON
