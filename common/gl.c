@@ -9,6 +9,7 @@
 #include <string.h>
 
 static char first_error[512];
+static bool refused;
 static unsigned long first_error_place;
 static GLuint last_framebuffer; // the last one bound that is not 0
 
@@ -103,11 +104,10 @@ static void after_call(void *result, const char *name, GLADapiproc function, int
         note_framebuffer(arguments);
         va_end(arguments);
     }
-    if (first_error[0])
-        return;
-    if (error == GL_NO_ERROR && misses_framebuffer(name))
+    if (error == GL_NO_ERROR && !refused && misses_framebuffer(name))
         error = GL_INVALID_FRAMEBUFFER_OPERATION;
-    if (error == GL_NO_ERROR)
+    refused = refused || (error != GL_NO_ERROR && error != GL_INVALID_ENUM);
+    if (error == GL_NO_ERROR || first_error[0])
         return;
     check_append(first_error, sizeof first_error, "%s in %s", error_name(error), name);
     GLenum status = misses_framebuffer(name) ? GL_FRAMEBUFFER_UNDEFINED
@@ -134,6 +134,10 @@ const char *gl_error(void) {
     return first_error;
 }
 
+bool gl_refused(void) {
+    return refused;
+}
+
 unsigned long gl_error_place(void) {
     return first_error_place;
 }
@@ -141,6 +145,7 @@ unsigned long gl_error_place(void) {
 void gl_clear_error(void) {
     first_error_place = 0;
     first_error[0] = '\0';
+    refused = false;
 }
 
 void gl_forget_framebuffer(void) {

@@ -15,6 +15,11 @@ const char *gl_error(void);
 unsigned long gl_error_place(void);
 void gl_clear_error(void);
 
+// Did a call fail since gl_clear_error with anything but GL_INVALID_ENUM? A refused call should change
+// nothing, but drivers differ in how they keep to that; with a name that it does not know, none does
+// anything.
+bool gl_refused(void);
+
 // The offset in lab.so of the innermost of the `count` return addresses that lies in it; 0 when none does.
 unsigned long gl_caller(void *const *frames, int count);
 

@@ -127,18 +127,31 @@ bool lab_folder_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solve
     return ok;
 }
 
-// Takes lab.so from an earlier folder; false when lab.c is not the same there.
-static bool take_library(const char *folder, const char *earlier) {
+static bool is_same_file(const char *folder, const char *earlier, const char *name) {
     char path[FILES_PATH], old_path[FILES_PATH];
-    files_join(path, folder, "lab.c");
-    files_join(old_path, earlier, "lab.c");
+    files_join(path, folder, name);
+    files_join(old_path, earlier, name);
     char *text = files_read(path, DERIVE_MAX_FILE), *old = files_read(old_path, DERIVE_MAX_FILE);
-    bool same = text && old && strcmp(text, old) == 0;
+    const bool same = text && old && strcmp(text, old) == 0;
     free(text);
     free(old);
+    return same;
+}
+
+static bool is_of_c(const char *name) {
+    const char *dot = strrchr(name, '.');
+    return dot && (strcmp(dot, ".c") == 0 || strcmp(dot, ".h") == 0);
+}
+
+// Takes lab.so from an earlier folder; false when a file that goes into it is not the same there.
+static bool take_library(const char *folder, const char *earlier, const Rubric *rubric) {
+    char path[FILES_PATH], old_path[FILES_PATH];
+    for (int i = 0; i < rubric->file_count; i++)
+        if (is_of_c(rubric->files[i]) && !is_same_file(folder, earlier, rubric->files[i]))
+            return false;
     files_join(path, folder, "lab.so");
     files_join(old_path, earlier, "lab.so");
-    return same && link(old_path, path) == 0;
+    return link(old_path, path) == 0;
 }
 
 bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
@@ -152,7 +165,7 @@ bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rub
                                                                           (Solved){SOLVED_ALL, NULL}, true));
     }
     ok = ok && write_texts(folder, rubric, &texts) && given_place(folder, rubric->id, jail) &&
-         ((earlier && take_library(folder, earlier)) || compiler_build(folder, jail, log));
+         ((earlier && take_library(folder, earlier, rubric)) || compiler_build(folder, jail, log));
     free_texts(&texts);
     return ok;
 }

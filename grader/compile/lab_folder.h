@@ -22,8 +22,8 @@ bool lab_folder_can_change(const Rubric *rubric, const Change *change);
 bool lab_folder_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                            char log[COMPILE_LOG]);
 
-// The same, but lab.so is taken from `earlier` (NULL: none), a folder that was made so before, when lab.c has
-// not changed since: a change of a shader needs no compiler of C.
+// The same, but lab.so is taken from `earlier` (NULL: none), a folder that was made so before, when no file
+// of C has changed since: a change of a shader needs no compiler of C.
 bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
                       const Jail *jail, char log[COMPILE_LOG]);
 

@@ -30,6 +30,13 @@ JsonPlace rubric_change_place(const Rubric *rubric, const Change *change) {
                              (size_t)(change - rubric->alternatives), change->name);
 }
 
+bool rubric_uses_scene(const Check *check, const char *scene) {
+    for (int i = 0; i < check->scene_count; i++)
+        if (strcmp(check->scenes[i], scene) == 0)
+            return true;
+    return false;
+}
+
 int rubric_points(const Rubric *rubric) {
     int points = 0;
     for (int i = 0; i < rubric->check_count; i++)

@@ -1,11 +1,11 @@
 #include "compile/rubric_file.h"
 
 #include "compile/rubric_changes.h"
+#include "compile/rubric_choices.h"
 #include "compile/rubric_names.h"
 #include "base/file_watch.h"
 #include "base/places.h"
 #include "scene/check.h"
-#include "scene/scene.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -16,51 +16,25 @@ static const JsonField rubric_fields[] = {{"title", FIELD_NAME, FIELD_NEEDED, 1,
                                           {"pass_mark", FIELD_NUMBER, FIELD_NEEDED, 0, 100},
                                           {"files", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_FILES},
                                           {"checks", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_CHECKS},
+                                          {"also right", FIELD_LIST, FIELD_OPTIONAL, 0, RUBRIC_MAX_ALSO},
                                           {0}};
 
 static const JsonField check_fields[] = {{"name", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
                                          {"task", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
                                          {"points", FIELD_WHOLE, FIELD_NEEDED, 1, RUBRIC_MAX_POINTS},
                                          {"view", FIELD_NAME, FIELD_NEEDED, 1, LAB_MAX_NAME - 1},
-                                         {"scene", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
+                                         {"scene", FIELD_OTHER, FIELD_NEEDED, 0, 0},
                                          {"variants", FIELD_WHOLE, FIELD_NEEDED, 1, EXAM_MAX_VARIANTS},
                                          {"optional", FIELD_FLAG, FIELD_OPTIONAL, 0, 0},
+                                         {"large frame", FIELD_FLAG, FIELD_OPTIONAL, 0, 0},
                                          {"knobs", FIELD_KEYS, FIELD_OPTIONAL, 0, LAB_MAX_KNOBS},
                                          {0}};
 
 static const JsonField file_name = {"", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME};
-static const JsonField knob_value = {"", FIELD_NUMBER, FIELD_NEEDED, -1e9, 1e9}; // its range: rubric_fit.h
+static const JsonField alternative_name = {"", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME};
+
 static const char *text_of(const json_t *object, const char *key) {
     return json_string_value(json_object_get(object, key));
-}
-
-static bool check_scene(const JsonPlace *place, const char *name) {
-    static Scene scene;
-    char text[1200];
-    check_clear();
-    if (scene_make(&scene, name, &(Random){1}))
-        return true;
-    snprintf(text, sizeof text, "%s", check_message());
-    check_clear();
-    return json_fields_fail(place, "scene", "%s", text);
-}
-
-static bool read_knobs(Check *check, const JsonPlace *place, json_t *knobs) {
-    const char *name;
-    json_t *value;
-    json_object_foreach(knobs, name, value) {
-        JsonField field = knob_value;
-        field.key = name;
-        if (strlen(name) >= LAB_MAX_NAME)
-            return json_fields_fail(place, "knobs",
-                                    "a name is longer than %d bytes; write one of lab.c's table",
-                                    LAB_MAX_NAME - 1);
-        if (!json_fields_fits(place, value, &field))
-            return false;
-        check->knobs[check->knob_count].name = name;
-        check->knobs[check->knob_count++].value = (float)json_number_value(value);
-    }
-    return true;
 }
 
 static bool read_check(Rubric *rubric, const JsonPlace *place, json_t *entry) {
@@ -70,16 +44,17 @@ static bool read_check(Rubric *rubric, const JsonPlace *place, json_t *entry) {
     *check = (Check){.name = text_of(entry, "name"),
                      .task = text_of(entry, "task"),
                      .view = text_of(entry, "view"),
-                     .scene = text_of(entry, "scene"),
                      .points = (int)json_integer_value(json_object_get(entry, "points")),
                      .variants = (int)json_integer_value(json_object_get(entry, "variants")),
-                     .optional = json_is_true(json_object_get(entry, "optional"))};
+                     .optional = json_is_true(json_object_get(entry, "optional")),
+                     .large = json_is_true(json_object_get(entry, "large frame"))};
     for (int c = 0; c < rubric->check_count; c++)
         if (strcmp(rubric->checks[c].name, check->name) == 0)
             return json_fields_fail(place, "name", "checks[%d] has this name, too; write another", c);
     rubric->check_count++;
-    return rubric_names_task(rubric, place, check->task) && check_scene(place, check->scene) &&
-           read_knobs(check, place, json_object_get(entry, "knobs"));
+    return rubric_names_task(rubric, place, check->task) &&
+           rubric_choices_scenes(check, place, json_object_get(entry, "scene")) &&
+           rubric_choices_knobs(check, place, json_object_get(entry, "knobs"));
 }
 
 static bool read_file(Rubric *rubric, const JsonPlace *place, const json_t *entry) {
@@ -136,6 +111,26 @@ static const Document documents[RUBRIC_FILES] = {
     [HINTS_JSON] = {"hints.json", JSON_OBJECT, rubric_changes_hints},
 };
 
+// Names of alternatives, which stand in the next file.
+static bool read_also(Rubric *rubric) {
+    size_t i;
+    json_t *entry;
+    const JsonPlace file = {.folder = rubric->folder, .file = documents[RUBRIC_JSON].name};
+    json_array_foreach(json_object_get(json_array_get(rubric->json, 1 + RUBRIC_JSON), "also right"), i,
+                       entry) {
+        const JsonPlace place = json_fields_enter(&file, "also right", i, NULL);
+        if (!json_fields_fits(&place, entry, &alternative_name))
+            return false;
+        const Change *change = rubric_alternative(rubric, json_string_value(entry));
+        check_clear();
+        rubric->also[rubric->also_count++] = change;
+        if (!change)
+            return json_fields_fail(&place, "", "alternatives.json has no \"%s\"; write one of its names",
+                                    json_string_value(entry));
+    }
+    return true;
+}
+
 static bool read_document(Rubric *rubric, const Document *document, const char *text) {
     const JsonPlace file = {.folder = rubric->folder, .file = document->name};
     json_t *root = json_fields_read(&file, text, text ? strlen(text) : 0, document->type);
@@ -160,6 +155,7 @@ bool rubric_read(Rubric *rubric, const char *folder, const char *const texts[RUB
     memcpy(rubric->id, name, ok ? 2 : 0);
     for (int i = 0; ok && i < RUBRIC_FILES; i++)
         ok = read_document(rubric, &documents[i], texts[i]);
+    ok = ok && read_also(rubric);
     if (!ok)
         rubric_destroy(rubric);
     return ok;

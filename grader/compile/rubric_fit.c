@@ -37,6 +37,14 @@ static bool fit_knob(const JsonPlace *place, const char *name, float value, cons
     return json_fields_fail(place, "knobs", "the lab has no knob \"%s\"; its knobs are %s", name, known);
 }
 
+static bool fit_choices(const JsonPlace *place, const KnobChoice *knob, const Description *lab) {
+    for (int i = 0; i < knob->choice_count; i++)
+        if (!fit_knob(place, knob->name, knob->choices[i], lab))
+            return false;
+    return knob->choice_count > 0 ||
+           (fit_knob(place, knob->name, knob->low, lab) && fit_knob(place, knob->name, knob->high, lab));
+}
+
 bool rubric_fit_lab(const Rubric *rubric, const Description *lab) {
     for (int c = 0; c < rubric->check_count; c++) {
         const Check *check = &rubric->checks[c];
@@ -44,7 +52,7 @@ bool rubric_fit_lab(const Rubric *rubric, const Description *lab) {
         if (!fit_view(&place, check->view, lab))
             return false;
         for (int i = 0; i < check->knob_count; i++)
-            if (!fit_knob(&place, check->knobs[i].name, check->knobs[i].value, lab))
+            if (!fit_choices(&place, &check->knobs[i], lab))
                 return false;
     }
     return true;

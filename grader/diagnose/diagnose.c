@@ -12,6 +12,9 @@
 // A picture belongs to a mistake when it is this much nearer to the mistake's picture than to the reference.
 static const double NEAR = 0.2;
 
+// What another size of a stage, or a refused call, is worth beside a distance of pictures (0 to 255).
+static const double FACT_DISTANCE = 64;
+
 // Sums of distances over the frames of a check.
 typedef struct Distances {
     double to_reference;
@@ -25,10 +28,17 @@ static void name_cause(CheckResult *check, const char *mistake, const char *kind
     snprintf(check->hint, sizeof check->hint, "%s", hint ? hint : "");
 }
 
+// Of a frame of the student's from one of ours, in pixels and in what it tells beside them.
+static double distance_to(const CheckResult *check, int n, const Image *ours, const FrameFacts *facts) {
+    double distance = score_rmse(&check->yours[n], ours);
+    distance += result_wrong_size(&check->facts[n], facts) ? FACT_DISTANCE : 0;
+    return distance + (check->facts[n].refused != facts->refused ? FACT_DISTANCE : 0);
+}
+
 static void measure_ours(Distances *distances, const CheckResult *check, const Variant *variants) {
     *distances = (Distances){0};
     for (int n = 0; n < check->check->variants; n++) {
-        distances->to_reference += score_rmse(&check->yours[n], &variants[n].reference);
+        distances->to_reference += distance_to(check, n, &variants[n].reference, &variants[n].facts);
     }
 }
 
@@ -37,7 +47,8 @@ static bool measure_mistake(Distances *distances, int m, const LabResult *result
         const Image *theirs = exam_mistake(exam, m, c, n);
         if (!theirs)
             return false;
-        distances->to_mistake[m] += score_rmse(&result->checks[c].yours[n], theirs);
+        distances->to_mistake[m] +=
+            distance_to(&result->checks[c], n, theirs, &exam->mistakes[m][c][n].facts);
     }
     return true;
 }
@@ -84,7 +95,8 @@ static int find_own(const Check *check, const Distances *distances, const Rubric
 static const char *next_task(const CheckResult *check, int c, Exam *exam) {
     for (int t = 1; rubric_task(exam->rubric, t + 1); t++) {
         const Image *theirs = exam_partial(exam, t, c, check->worst);
-        if (theirs && score_rmse(&check->yours[check->worst], theirs) == 0)
+        if (theirs &&
+            distance_to(check, check->worst, theirs, &exam->partials[t][c][check->worst].facts) == 0)
             return rubric_task(exam->rubric, t + 1);
     }
     return NULL;
@@ -98,7 +110,8 @@ static bool is_solved_to(int t, const LabResult *result, Exam *exam) {
         const CheckResult *check = &result->checks[c];
         const Image *theirs =
             t > 0 ? exam_partial(exam, t, c, check->worst) : &exam->variants[c][check->worst].skeleton;
-        same = theirs && score_rmse(&check->yours[check->worst], theirs) == 0;
+        const FrameFacts facts = t > 0 ? exam->partials[t][c][check->worst].facts : (FrameFacts){0};
+        same = theirs && distance_to(check, check->worst, theirs, &facts) == 0;
     }
     return same;
 }
@@ -152,6 +165,28 @@ static void name_kind(CheckResult *check, int c, Exam *exam) {
     check->cause_task = task;
 }
 
+static void name_size(CheckResult *check, const Variant *variant) {
+    const FrameFacts *yours = &check->facts[check->worst], *ours = &variant->facts;
+    const bool as_frame =
+        ours->stage_width == variant->request.width && ours->stage_height == variant->request.height;
+    char text[256];
+    snprintf(text, sizeof text, "the texture \"%s\" is %d x %d, and here it has to be %d x %d",
+             check->check->view, yours->stage_width, yours->stage_height, ours->stage_width,
+             ours->stage_height);
+    name_cause(check, text, "a texture of another size",
+               as_frame ? "It has to be as large as the picture, whatever size that has: frame->width and "
+                          "frame->height."
+                        : "The size is not always the same. Where does create take it from, and does every "
+                          "call that needs it take it from there?");
+}
+
+static void name_refusal(CheckResult *check) {
+    static const char text[] = "the picture is right here, but OpenGL refused a call";
+    name_cause(check, text, text,
+               "A refused call changes nothing; some drivers do half of it all the same, and others draw "
+               "another picture. The note says which call it was, and where.");
+}
+
 static void explain(CheckResult *check, int c, const Distances *distances, int common, Exam *exam) {
     const Rubric *rubric = exam->rubric;
     int own = common >= 0 ? common : find_own(check->check, distances, rubric);
@@ -166,6 +201,10 @@ static void explain(CheckResult *check, int c, const Distances *distances, int c
     } else if (own >= 0 && (common >= 0 || !error_kind_is_plain(&check->yours[check->worst]))) {
         name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].name, rubric->mistakes[own].hint);
         check->cause_task = rubric->mistakes[own].task;
+    } else if (check->wrong_size) {
+        name_size(check, &exam->variants[c][check->worst]);
+    } else if (check->refused && check->error == 0) {
+        name_refusal(check);
     } else {
         name_kind(check, c, exam);
     }

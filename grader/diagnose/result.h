@@ -18,6 +18,9 @@ typedef struct CheckResult {
     double error; // inside + outside of that variant (see score.h)
     int worst;    // that variant
     bool passed;  // all but a trace of the points
+    FrameFacts facts[EXAM_MAX_VARIANTS];
+    bool wrong_size,
+        refused; // of the worst variant: its stage has not the reference's size; GL refused a call
     bool has_cause;
     bool undone;            // the cause: a task is not done yet, rather than done wrong
     const char *cause_task; // where to look; NULL when it is the check's own task
@@ -51,6 +54,10 @@ typedef struct Report {
     int lab_count;
     LabResult *labs; // COURSE_MAX_LABS, owned
 } Report;
+
+// Does a stage have another size than that of ours? A lab without the stage has none, which its picture
+// tells.
+bool result_wrong_size(const FrameFacts *yours, const FrameFacts *ours);
 
 // As in the JSON: "passed", ...
 const char *result_status_name(LabStatus status);

@@ -8,14 +8,17 @@
 #include <stdint.h>
 
 typedef struct Variant {
+    const char *scene; // its name; the rubric's
     Request request;
     Image reference, without, skeleton;
+    FrameFacts facts; // of the reference
 } Variant;
 
 // One more picture of a variant, kept once it was asked for.
 typedef struct LatePicture {
     bool known;
-    bool drawn;  // false: ours gave a reason why it drew nothing, which counts as black
+    bool drawn; // false: ours gave a reason why it drew nothing, which counts as black
+    FrameFacts facts;
     Image image; // owned; empty when it is the reference's
 } LatePicture;
 
@@ -29,6 +32,7 @@ typedef struct Exam {
     float milliseconds[RUBRIC_MAX_CHECKS]; // of the solution in a check's last variant; 0: not measured yet
     LatePicture mistakes[EXAM_MAX_MISTAKES][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    LatePicture also[RUBRIC_MAX_ALSO][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
 } Exam;
 
 // Is variants[n], drawn, worth asking beside those before it? The task and the whole lab must each change at
@@ -50,6 +54,9 @@ const Image *exam_mistake(Exam *exam, int m, int c, int n);
 
 // The same of our lab solved up to the task with number t ("3.4" for 4); NULL also when no check is about it.
 const Image *exam_partial(Exam *exam, int t, int c, int n);
+
+// The same of the a-th alternative whose other pictures are right, too ("also right" in the rubric).
+const Image *exam_also(Exam *exam, int a, int c, int n);
 
 // Sum of the pass times of a reply.
 float exam_milliseconds(const Reply *reply);

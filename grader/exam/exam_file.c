@@ -2,6 +2,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "exam/exam_facts.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -12,7 +13,7 @@
 // A check's frames lie one below the other in one PNG: of each variant the reference, and then what differs
 // from it, as the exclusive or with the reference, which is mostly 0. Other frames refer to theirs by its
 // distance from the reference, 0 for the reference itself.
-enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + 3, MAX_SEEDS = 10000 };
+enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + 3, MAX_SEEDS = 10000 };
 
 bool exam_file_only(void) {
     char solutions[FILES_PATH], recorded[FILES_PATH];
@@ -108,14 +109,24 @@ static json_t *put_partials(Strip *strip, Exam *exam, int c, int n) {
     return list;
 }
 
+static json_t *put_also(Strip *strip, Exam *exam, int c, int n) {
+    json_t *list = json_array();
+    for (int a = 0; a < exam->rubric->also_count; a++) {
+        const Image *frame = exam_also(exam, a, c, n);
+        json_array_append_new(list, json_integer(frame ? put(strip, frame) : -1));
+    }
+    return list;
+}
+
 static json_t *put_variant(Strip *strip, Exam *exam, int c, int n) {
     const Variant *variant = &exam->variants[c][n];
     strip->base = strip->count;
     put(strip, &variant->reference);
     int without = put(strip, &variant->without), skeleton = put(strip, &variant->skeleton);
-    return json_pack("{s:i, s:i, s:i, s:i, s:o, s:o}", "try", exam->tries[c][n], "frame", strip->base,
-                     "without", without, "skeleton", skeleton, "mistakes", put_mistakes(strip, exam, c, n),
-                     "partials", put_partials(strip, exam, c, n));
+    json_t *mistakes = put_mistakes(strip, exam, c, n), *partials = put_partials(strip, exam, c, n);
+    return json_pack("{s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o}", "try", exam->tries[c][n], "frame",
+                     strip->base, "without", without, "skeleton", skeleton, "mistakes", mistakes, "partials",
+                     partials, "also", put_also(strip, exam, c, n), "facts", exam_facts_pack(exam, c, n));
 }
 
 static bool write_strip(const Strip *strip, const char *path) {
@@ -157,7 +168,7 @@ static bool save_check(Exam *exam, int c, const char *folder, json_t *checks) {
 bool exam_file_save(Exam *exam, const char *folder) {
     char path[FILES_PATH];
     json_t *checks = json_array();
-    json_t *root = json_pack("{s:i, s:s, s:o}", "version", 1, "renderer", exam->renderer, "checks", checks);
+    json_t *root = json_pack("{s:i, s:s, s:o}", "version", 2, "renderer", exam->renderer, "checks", checks);
     bool ok = true;
     for (int c = 0; ok && c < exam->rubric->check_count; c++)
         ok = save_check(exam, c, folder, checks);
@@ -197,9 +208,10 @@ static bool cut_late(LatePicture *late, const Cutting *cutting, json_t *list, in
 static bool load_variant(Exam *exam, int c, int n, const Image *strip, json_t *entry) {
     Variant *variant = &exam->variants[c][n];
     int base, without, skeleton;
-    json_t *mistakes, *partials;
-    if (json_unpack(entry, "{s:i, s:i, s:i, s:o, s:o}", "frame", &base, "without", &without, "skeleton",
-                    &skeleton, "mistakes", &mistakes, "partials", &partials) != 0 ||
+    json_t *mistakes, *partials, *also, *facts;
+    if (json_unpack(entry, "{s:i, s:i, s:i, s:o, s:o, s:o, s:o}", "frame", &base, "without", &without,
+                    "skeleton", &skeleton, "mistakes", &mistakes, "partials", &partials, "also", &also,
+                    "facts", &facts) != 0 ||
         json_array_size(mistakes) != (size_t)exam->rubric->mistake_count)
         return false;
     const Cutting cutting = {strip, &variant->request, base};
@@ -210,6 +222,9 @@ static bool load_variant(Exam *exam, int c, int n, const Image *strip, json_t *e
         ok = cut_late(&exam->mistakes[m][c][n], &cutting, mistakes, m);
     for (int t = 0; ok && t < EXAM_MAX_TASKS; t++)
         ok = cut_late(&exam->partials[t][c][n], &cutting, partials, t);
+    for (int a = 0; ok && a < exam->rubric->also_count; a++)
+        ok = cut_late(&exam->also[a][c][n], &cutting, also, a);
+    exam_facts_unpack(exam, c, n, facts);
     return ok;
 }
 

@@ -132,6 +132,7 @@ static void clean_reply(Reply *reply) {
     for (int i = 0; i < LAB_MAX_PASSES; i++)
         if (!(reply->milliseconds[i] >= 0 && reply->milliseconds[i] < 1e9f))
             reply->milliseconds[i] = 0;
+    reply->facts.refused = reply->facts.refused != 0;
 }
 
 static void note_crash(WorkerClient *client, const Request *request) {

@@ -7,12 +7,11 @@
 #include "diagnose/diagnose.h"
 #include "exam/exam_file.h"
 #include "diagnose/evidence.h"
+#include "grade/score_check.h"
 #include "score/score.h"
 
 #include <stdio.h>
 #include <string.h>
-
-static const double PASSED_SHARE = 0.95; // of a check's points
 
 static void add_warning(LabResult *result, const char *text) {
     char clean[RESULT_TEXT];
@@ -43,23 +42,6 @@ void grade_refuse(LabResult *result, const char *reason) {
     fail_lab(result, LAB_ERROR, reason);
 }
 
-static void score_check(CheckResult *check, const Variant *variants) {
-    check->share = 1;
-    check->error = 0;
-    for (int n = 0; n < check->check->variants; n++) {
-        FrameScore score = {.inside = 1};
-        if (check->yours[n].rgba)
-            score = score_frame(&check->yours[n], &variants[n].reference, &variants[n].without,
-                                &variants[n].skeleton);
-        if (score.inside + score.outside > check->error || n == 0) {
-            check->share = score.share;
-            check->error = score.inside + score.outside;
-            check->worst = n;
-        }
-    }
-    check->passed = check->share >= PASSED_SHARE;
-}
-
 typedef struct Ratios {
     double values[RUBRIC_MAX_CHECKS];
     int count;
@@ -81,9 +63,11 @@ static void note_output(LabResult *result, const char *printed) {
 }
 
 // Draws one frame of the student's.
-static DrawResult draw_one(LabResult *result, WorkerClient *student, const Variant *variant, Image *yours,
-                           Reply *reply) {
+static DrawResult draw_one(LabResult *result, WorkerClient *student, const Variant *variant,
+                           CheckResult *check, int n, Reply *reply) {
+    Image *yours = &check->yours[n];
     DrawResult drawn = worker_client_draw(student, &variant->request, yours, reply);
+    check->facts[n] = reply->facts;
     if (drawn == DRAW_OK) {
         if (reply->message[0])
             add_warning(result, reply->message);
@@ -114,7 +98,7 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
     CheckResult *check = &result->checks[c];
     DrawResult drawn = DRAW_OK;
     for (int n = 0; (drawn == DRAW_OK || drawn == DRAW_FAILED) && n < check->check->variants; n++) {
-        drawn = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &reply);
+        drawn = draw_one(result, student, &exam->variants[c][n], check, n, &reply);
         if (drawn == DRAW_OK)
             *milliseconds = exam_milliseconds(&reply);
     }
@@ -159,21 +143,27 @@ static double points_left(const LabResult *result, const Exam *exam) {
     return points;
 }
 
-void grade_pictures(LabResult *result, const Exam *exam) {
+// Every check that is not optional, and the pass mark of what was touched.
+static bool passes(const LabResult *result, const Exam *exam) {
+    for (int c = 0; c < result->check_count; c++)
+        if (!result->checks[c].passed && !result->checks[c].check->optional)
+            return false;
+    return result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
+}
+
+void grade_pictures(LabResult *result, Exam *exam) {
     for (int c = 0; c < result->check_count; c++) {
-        score_check(&result->checks[c], exam->variants[c]);
+        score_check(&result->checks[c], exam, c);
         result->score += result_points(&result->checks[c]);
     }
-    bool passed =
-        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
     if (!result->message[0])
-        result->status = passed ? LAB_PASSED : LAB_FAILED;
+        result->status = passes(result, exam) ? LAB_PASSED : LAB_FAILED;
 }
 
 bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c) {
     float milliseconds;
     draw_check(result, student, exam, c, &milliseconds);
-    score_check(&result->checks[c], exam->variants[c]);
+    score_check(&result->checks[c], exam, c);
     return result->checks[c].passed;
 }
 

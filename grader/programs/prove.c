@@ -89,7 +89,8 @@ static bool judge(const LabResult *result, ProofRow *row, const Rubric *rubric) 
     case KIND_PARTIAL:
         return row->percent >= row->before->percent - 1e-9;
     case KIND_MISTAKE:
-        return named_right(result, row) && result->score < rubric->pass_mark / 100 * result->max_score;
+        return named_right(result, row) && result->score < rubric->pass_mark / 100 * result->max_score &&
+               result->status != LAB_PASSED;
     default:
         return all_full(result, row);
     }
@@ -107,6 +108,12 @@ static const Image *ours(const ProofRow *row, Exam *exam, int c, int n) {
     return image && late->drawn ? image : NULL;
 }
 
+static FrameFacts our_facts(const ProofRow *row, const Exam *exam, int c, int n) {
+    return row->kind == KIND_SKELETON  ? (FrameFacts){0}
+           : row->kind == KIND_MISTAKE ? exam->mistakes[row->number][c][n].facts
+                                       : exam->partials[row->number][c][n].facts;
+}
+
 // Skeletons, partial solutions and mistakes are drawn for the diagnosis, too. Those frames are taken as the
 // row's. False when one of them was not drawn: then the row's own worker has to say why.
 static bool share_frames(LabResult *result, const ProofRow *row, Exam *exam) {
@@ -117,6 +124,7 @@ static bool share_frames(LabResult *result, const ProofRow *row, Exam *exam) {
             const Image *image = ours(row, exam, c, n);
             if (!image || !image_copy(&result->checks[c].yours[n], image))
                 return false;
+            result->checks[c].facts[n] = our_facts(row, exam, c, n);
         }
     return true;
 }

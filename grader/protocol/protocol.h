@@ -43,6 +43,12 @@ typedef struct Request {
     Scene scene;
 } Request;
 
+// What a frame tells beside its pixels.
+typedef struct FrameFacts {
+    int32_t refused;                   // 1: GL refused a call, see gl_refused
+    int32_t stage_width, stage_height; // of the texture, where the view is a stage; 0: there is none
+} FrameFacts;
+
 typedef struct Reply {
     uint32_t magic;
     int32_t drawn; // 1: the pixels are the lab's; 0: they are black, and `message` says why
@@ -50,6 +56,7 @@ typedef struct Reply {
         place; // where in lab.so the crash was, or the call of which `message` tells at its end; 0: unknown
     char pass[LAB_MAX_NAME];            // of a crash: what ran
     float milliseconds[LAB_MAX_PASSES]; // CPU time of each pass
+    FrameFacts facts;
     char message[PROTOCOL_TEXT]; // why it was not drawn, or the first GL error or check_fail of the frame
     char renderer[128];          // "GL_VERSION / GL_RENDERER"
 } Reply;

@@ -198,20 +198,21 @@ static bool read_pixels(const Target *target, uint8_t *pixels) {
 }
 
 static bool show_view(const LoadedLab *hosted, const StageView *view, const Request *request,
-                      const Frame *frame, uint8_t *pixels) {
+                      const Frame *frame, FrameFacts *facts, uint8_t *pixels) {
     if (strcmp(request->view, VIEW_PRIMITIVES) == 0)
         return primitives_view_draw(frame) && read_pixels(&hosted->picture, pixels);
     if (strcmp(request->view, VIEW_PICTURE) == 0 || strcmp(request->view, VIEW_VISIBILITY) == 0)
         return read_pixels(&hosted->picture, pixels);
     for (int i = 0; i < LAB_MAX_STAGES && hosted->lab->stages[i].name; i++)
         if (strncmp(hosted->lab->stages[i].name, request->view, LAB_MAX_NAME) == 0) {
+            stage_view_measure(*hosted->lab->stages[i].texture, facts);
             stage_view_draw(view, &hosted->readback, *hosted->lab->stages[i].texture);
             return read_pixels(&hosted->readback, pixels);
         }
     return check_fail("the lab has no stage \"%s\"; restore the table of stages", request->view);
 }
 
-bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *request, float *milliseconds,
+bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *request, Reply *reply,
                      uint8_t *pixels) {
     check_clear();
     gl_clear_error();
@@ -225,8 +226,9 @@ bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *re
                    .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0};
     if (!ensure_created(hosted, request, &frame))
         return false;
-    run_passes(hosted->lab, &frame, milliseconds);
-    return show_view(hosted, view, request, &frame, pixels);
+    run_passes(hosted->lab, &frame, reply->milliseconds);
+    reply->facts.refused = gl_refused();
+    return show_view(hosted, view, request, &frame, &reply->facts, pixels);
 }
 
 static void describe_knob(struct KnobText *text, const Knob *knob) {

@@ -67,9 +67,8 @@ static bool perform(const Request *request, Reply *reply, void *payload) {
     LoadedLab *hosted = loaded_lab_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
     if (!hosted)
         return check_fail("too many labs in one worker");
-    return request->describe
-               ? loaded_lab_describe(hosted, payload)
-               : loaded_lab_draw(hosted, &worker.stage_view, request, reply->milliseconds, payload);
+    return request->describe ? loaded_lab_describe(hosted, payload)
+                             : loaded_lab_draw(hosted, &worker.stage_view, request, reply, payload);
 }
 
 static bool answer(const Request *request) {
@@ -90,10 +89,21 @@ static bool answer(const Request *request) {
     return sent;
 }
 
+// Names begin at another number for each kind of object: who takes one for another must not be lucky.
+static void spread_names(void) {
+    GLuint names[400];
+    glGenTextures(100, names);
+    glGenSamplers(200, names);
+    glGenRenderbuffers(300, names);
+    glGenFramebuffers(400, names);
+}
+
 static bool start(const char *context) {
     ContextKind kind;
-    return context_parse(&kind, context) && context_create(kind) && draw_create() &&
-           stage_view_create(&worker.stage_view);
+    if (!context_parse(&kind, context) || !context_create(kind))
+        return false;
+    spread_names();
+    return draw_create() && stage_view_create(&worker.stage_view);
 }
 
 int main(int count, char **arguments) {

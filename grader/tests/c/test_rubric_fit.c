@@ -68,6 +68,43 @@ static void test_fits_the_lab(void **unused) {
                "knobs: the lab has no knob \"map\"; its knobs are \"map size\"");
 }
 
+static void assert_refused(const char *rubric_text, const char *message) {
+    Rubric rubric;
+    const bool read = read_with(&rubric, RUBRIC_JSON, rubric_text);
+    rubric_destroy(&rubric);
+    if (read || !strstr(check_message(), message))
+        fail_msg("%s: %s", rubric_text, read ? "taken" : check_message());
+}
+
+#define SIZE(value) ONE("\"variants\": 3, \"knobs\": {\"map size\": " value "}")
+#define SCENE(scene)                                                                                         \
+    "{" HEAD ", \"checks\": [{\"name\": \"c\", \"task\": \"3.1\", \"points\": 5, \"view\": "                 \
+    "\"picture\", \"variants\": 3, \"scene\": " scene "}]}"
+#define ALSO(names) "{" HEAD ", \"also right\": " names ", \"checks\": [{" CHECK ", \"variants\": 3}]}"
+
+// What varies: lists and ranges, each of whose numbers must be in the knob's range.
+static void test_choices(void **unused) {
+    (void)unused;
+    assert_fit(SIZE("[16, 4096]"), NULL);
+    assert_fit(SIZE("{\"from\": 16, \"to\": 20.5}"), NULL);
+    assert_fit(SCENE("[\"table spot\", \"table sun\"]"), NULL);
+    assert_fit(ALSO("[\"a\"]"), NULL);
+    assert_fit(SIZE("[16, 4097]"), "\"map size\": 4097 is outside");
+    assert_fit(SIZE("{\"from\": 15, \"to\": 20}"), "\"map size\": 15 is outside");
+    assert_fit(SIZE("{\"from\": 16, \"to\": 5000}"), "\"map size\": 5000 is outside");
+    assert_refused(SIZE("\"16\""), "map size: ");
+    assert_refused(SIZE("[]"), "map size: ");
+    assert_refused(SIZE("[1, \"2\"]"), "map size: ");
+    assert_refused(SIZE("[1, 2, 3, 4, 5, 6, 7]"), "map size: ");
+    assert_refused(SIZE("{\"from\": 2, \"to\": 2}"), "write a larger number");
+    assert_refused(SIZE("{\"from\": 2}"), "to");
+    assert_refused(SCENE("[]"), "scene: ");
+    assert_refused(SCENE("[1]"), "scene: ");
+    assert_refused(SCENE("[\"table sun\", \"nowhere\"]"), "there is no scene \"nowhere\"");
+    assert_refused(ALSO("[\"b\"]"), "alternatives.json has no \"b\"");
+    assert_refused(ALSO("[2]"), "also right[0]: ");
+}
+
 static void assert_sources(const char *sources, int file, const char *text, const char *message) {
     char parent[FILES_PATH], folder[FILES_PATH], path[FILES_PATH];
     const char *texts[RUBRIC_FILES] = {good[0], "[]", "[]", "{}"};
@@ -104,7 +141,7 @@ static void test_fits_the_sources(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_fits_the_lab),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_fits_the_lab), cmocka_unit_test(test_choices),
                                        cmocka_unit_test(test_fits_the_sources)};
     return cmocka_run_group_tests_name("rubric and lab", tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-// The last record of a crash by hand, with a name of a pass that does not end and bytes for a terminal, and then a crash: the
-// text is cut and cleaned.
+// The last record of a crash by hand, with a name of a pass that does not end and bytes for a terminal.
+// Then a crash: the text is cut and cleaned.
+//
 // must: lost it crashed: Aborted (ABRT) in ?[2J???
 static void attack(const Frame *frame) {
     static struct {
