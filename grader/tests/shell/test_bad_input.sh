@@ -163,7 +163,7 @@ case_ short-uniform 1 "the uniform u_light_clip is set but declared neither in s
 
 # What a lecturer wrote: one message and status 3, from every program that reads it.
 home=$work/home
-mkdir -p "$home/build" && cp -r "$root"/{common,shaders,solutions} "$home" && cp -r "$root/$BUILD"/{grade,frame,prove,watch,worker,include} "$home/build" && cp "$root/$BUILD"/jail_* "$home/build"
+mkdir -p "$home/build" && cp -r "$root"/{common,shaders,solutions} "$home" && cp -r "$root/$BUILD"/{grade,frame,prove,watch,worker,include,given} "$home/build" && cp "$root/$BUILD"/jail_* "$home/build"
 rubric() { # FIND REPLACE: changes the rubric of the copy's lab 03
     sed "s|$1|$2|" "$root"/solutions/03-*/rubric.json >"$home/solutions/03-shadow-map/rubric.json"
 }
