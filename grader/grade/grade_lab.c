@@ -2,6 +2,7 @@
 // warnings and the ratio of times.
 #include "grade/grade_lab.h"
 
+#include "grade/address.h"
 #include "scene/check.h"
 #include "base/statistics.h"
 #include "compile/lab_folder.h"
@@ -226,6 +227,7 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     worker_client_begin(student);
     grade_frames(result, exam, student, exam->painters && !options->untimed);
     note_output(result, student->process.text);
+    address_explain(result, student, exam->rubric);
     return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
 }
 
