@@ -23,6 +23,7 @@ const char options_usage[] =
     "  --timeout S       seconds that a submission may run per lab (default 20)\n"
     "  --jail ROUTE      bwrap or landlock: only this jail (default: the first that holds)\n"
     "  --trusted         no jail: the submission is my own work\n"
+    "  --no-swap         do not look for the fault by putting our functions into the submission\n"
     "of a whole class, one submission a folder or archive (.zip, .tar.gz) in DIR:\n"
     "  --output OUT      a folder for grades.csv, index.html, pages/ and results/\n"
     "  -j N              submissions at a time (default: one a processor)\n"
@@ -106,6 +107,8 @@ static bool parse_option(Options *options, int option, const char *value) {
         return jail_parse_route(&options->route, value);
     case 'T':
         return options->trusted = true;
+    case 'n':
+        return options->grade.no_swap = true;
     case 'C':
         options->class_folder = value;
         return true;
@@ -149,15 +152,23 @@ static bool check_operands(Options *options, int count, char **arguments) {
 }
 
 bool options_parse(Options *options, int count, char **arguments) {
-    static const struct option table[] = {
-        {"lab", required_argument, NULL, 'l'},     {"seed", required_argument, NULL, 's'},
-        {"context", required_argument, NULL, 'c'}, {"format", required_argument, NULL, 'f'},
-        {"output", required_argument, NULL, 'o'},  {"timeout", required_argument, NULL, 't'},
-        {"jail", required_argument, NULL, 'J'},    {"trusted", no_argument, NULL, 'T'},
-        {"record", no_argument, NULL, 'R'},        {"class", required_argument, NULL, 'C'},
-        {"only", required_argument, NULL, 'O'},    {"resume", no_argument, NULL, 'r'},
-        {"gather", no_argument, NULL, 'g'},        {"list", no_argument, NULL, 'L'},
-        {"help", no_argument, NULL, 'h'},          {0}};
+    static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
+                                          {"seed", required_argument, NULL, 's'},
+                                          {"context", required_argument, NULL, 'c'},
+                                          {"format", required_argument, NULL, 'f'},
+                                          {"output", required_argument, NULL, 'o'},
+                                          {"timeout", required_argument, NULL, 't'},
+                                          {"jail", required_argument, NULL, 'J'},
+                                          {"trusted", no_argument, NULL, 'T'},
+                                          {"record", no_argument, NULL, 'R'},
+                                          {"class", required_argument, NULL, 'C'},
+                                          {"only", required_argument, NULL, 'O'},
+                                          {"resume", no_argument, NULL, 'r'},
+                                          {"gather", no_argument, NULL, 'g'},
+                                          {"list", no_argument, NULL, 'L'},
+                                          {"no-swap", no_argument, NULL, 'n'},
+                                          {"help", no_argument, NULL, 'h'},
+                                          {0}};
     const char *context = getenv("SHADOW_LAB_CONTEXT");
     *options = (Options){.grade = {.seconds = 20}};
     if (context && !context_parse(&options->grade.context, context))

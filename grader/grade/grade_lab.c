@@ -11,8 +11,6 @@
 #include <stdio.h>
 #include <string.h>
 
-static const double PASSED_SHARE = 0.95; // of a check's points
-
 static void add_warning(LabResult *result, const char *text) {
     char clean[RESULT_TEXT];
     result_clean(clean, sizeof clean, text);
@@ -56,7 +54,7 @@ static void score_check(CheckResult *check, const Variant *variants) {
             check->worst = n;
         }
     }
-    check->passed = check->share >= PASSED_SHARE;
+    check->passed = check->share >= SCORE_PASSED;
 }
 
 typedef struct Ratios {
@@ -201,7 +199,8 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     worker_client_begin(student);
     grade_frames(result, exam, student, exam->painters && !options->untimed);
     note_output(result, student->process.text);
-    return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
+    return diagnose(result, exam, student, !options->no_swap) &&
+           (!options->evidence || evidence_attach(result, exam));
 }
 
 bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, const GradeOptions *options) {
