@@ -44,11 +44,21 @@ site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: 
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
 
+new-lab: ## begin a new lab from a template: make new-lab LAB=09 NAME="soft shadows"
+	@mkdir -p $(BUILD)
+	@$(SCRIPTS)/new_lab $(BUILD) "$$LAB" "$$NAME" # from the environment, as they are
+
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 	@$(SCRIPTS)/pictures $(LAB)
 
+contexts: build ## do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
+	@$(SCRIPTS)/contexts $(BUILD) $(LAB)
+
 table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@$(SCRIPTS)/table
+
+mutants: build ## does each rubric notice every small change of its solution? make mutants [LAB=03] [ARGS="--seeds 3"]
+	$(BUILD)/mutants $(LAB_OPTION) $(ARGS)
 
 test: build tests ## run all tests
 	@grader/tests/run $(BUILD)
@@ -77,7 +87,7 @@ study: $(if $(HAS_STUDY),build $(BUILD)/chart) ## chart speed against error: mak
 	$(if $(HAS_STUDY),$(BUILD)/chart $(LAB_OPTION) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) \
 		$(ARGS),@echo "make study measures the solutions; they are not in this kit: ask your course" >&2; exit 2)
 
-chart: build $(BUILD)/chart ## measure the study anew and put its chart and its findings into README.md
+chart: build $(BUILD)/chart ## measure the study again and put its chart and its findings into README.md
 	@$(SCRIPTS)/publish_chart $(BUILD) $(ARGS)
 
 compile_commands.json: ## for editors and clang-tidy (needs bear)

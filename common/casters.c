@@ -5,17 +5,17 @@
 
 #include <stdbool.h>
 
-typedef struct Caster {
+typedef struct CasterModel {
     Mesh mesh;
     Adjacency adjacency;
     Model model; // without indices for an open shape
-} Caster;
+} CasterModel;
 
-static Caster casters[SHAPE_COUNT];
+static CasterModel casters[SHAPE_COUNT];
 static Volume volume; // its memory serves all frames
 static GLuint volume_array, volume_buffer;
 
-static bool create(Caster *caster, Shape shape) {
+static bool create(CasterModel *caster, Shape shape) {
     if (!mesh_create(&caster->mesh, shape) || !adjacency_create(&caster->adjacency, &caster->mesh))
         return false;
     if (caster->adjacency.open_edges == 0)
@@ -23,7 +23,7 @@ static bool create(Caster *caster, Shape shape) {
     return true;
 }
 
-static void destroy(Caster *caster) {
+static void destroy(CasterModel *caster) {
     mesh_destroy(&caster->mesh);
     adjacency_destroy(&caster->adjacency);
     model_destroy(&caster->model);
@@ -75,7 +75,7 @@ void casters_draw_volumes(const Frame *frame) {
     volume.count = 0;
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
-        const Caster *caster = &casters[object->shape];
+        const CasterModel *caster = &casters[object->shape];
         if (caster->adjacency.open_edges == 0 &&
             !silhouette_add(&volume, &caster->mesh, &caster->adjacency, object->world_from_object,
                             &frame->scene->lights[0]))

@@ -4,10 +4,12 @@
 
 #include <dlfcn.h>
 #include <execinfo.h>
+#include <stdarg.h>
 #include <stdint.h>
 #include <string.h>
 
 static char first_error[512];
+static GLuint last_framebuffer; // the last one bound that is not 0
 
 static const char *error_name(GLenum error) {
     switch (error) {
@@ -65,13 +67,52 @@ static void before_call(const char *name, GLADapiproc function, int count, ...) 
         check_fail("%s is not in this OpenGL", name);
 }
 
+static bool begins_with(const char *name, const char *start) {
+    return strncmp(name, start, strlen(start)) == 0;
+}
+
+static bool is_bound(GLenum binding) {
+    GLint framebuffer = 0;
+    glad_glGetIntegerv(binding, &framebuffer);
+    return framebuffer != 0;
+}
+
+// OSMesa has a default framebuffer, of one pixel, and EGL without a surface has none: what draws into it or
+// reads from it is the same error by both routes.
+static bool misses_framebuffer(const char *name) {
+    const bool blits = begins_with(name, "glBlit");
+    const bool draws = blits || (begins_with(name, "glDraw") && !begins_with(name, "glDrawBuffer")) ||
+                       begins_with(name, "glMultiDraw") || strcmp(name, "glClear") == 0 ||
+                       begins_with(name, "glClearBuffer");
+    const bool reads = blits || strcmp(name, "glReadPixels") == 0 || begins_with(name, "glCopyTex");
+    return (draws && !is_bound(GL_DRAW_FRAMEBUFFER_BINDING)) ||
+           (reads && !is_bound(GL_READ_FRAMEBUFFER_BINDING));
+}
+
+static void note_framebuffer(va_list arguments) {
+    (void)va_arg(arguments, GLenum);
+    const GLuint framebuffer = va_arg(arguments, GLuint);
+    last_framebuffer = framebuffer ? framebuffer : last_framebuffer;
+}
+
 static void after_call(void *result, const char *name, GLADapiproc function, int count, ...) {
-    (void)result, (void)function, (void)count;
+    (void)result;
     GLenum error = glad_glGetError();
-    if (error == GL_NO_ERROR || first_error[0])
+    if (function == (GLADapiproc)glad_glBindFramebuffer) {
+        va_list arguments;
+        va_start(arguments, count);
+        note_framebuffer(arguments);
+        va_end(arguments);
+    }
+    if (first_error[0])
+        return;
+    if (error == GL_NO_ERROR && misses_framebuffer(name))
+        error = GL_INVALID_FRAMEBUFFER_OPERATION;
+    if (error == GL_NO_ERROR)
         return;
     check_append(first_error, sizeof first_error, "%s in %s", error_name(error), name);
-    GLenum status = glad_glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+    GLenum status = misses_framebuffer(name) ? GL_FRAMEBUFFER_UNDEFINED
+                                             : glad_glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
     if (error == GL_INVALID_FRAMEBUFFER_OPERATION)
         check_append(first_error, sizeof first_error, " (the bound framebuffer is %s)",
                      framebuffer_status(status));
@@ -98,8 +139,29 @@ void gl_clear_error(void) {
     first_error[0] = '\0';
 }
 
+void gl_forget_framebuffer(void) {
+    last_framebuffer = 0;
+}
+
+// Of the framebuffer that is bound, or else of the last one that was.
+static GLenum status_of_framebuffer(void) {
+    const bool unbound = !is_bound(GL_DRAW_FRAMEBUFFER_BINDING);
+    if (unbound && !glIsFramebuffer(last_framebuffer))
+        return GL_FRAMEBUFFER_UNDEFINED;
+    if (unbound)
+        glad_glBindFramebuffer(GL_DRAW_FRAMEBUFFER, last_framebuffer);
+    const GLenum status = glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER);
+    if (unbound)
+        glad_glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    return status;
+}
+
 bool gl_check_framebuffer(const char *what) {
-    GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    const GLenum status = status_of_framebuffer();
+    if (status == GL_FRAMEBUFFER_UNDEFINED)
+        return check_fail("the framebuffer of the %s cannot be checked: none was bound; call "
+                          "glBindFramebuffer with it before",
+                          what);
     return status == GL_FRAMEBUFFER_COMPLETE ||
            check_fail("the framebuffer of the %s is not complete: %s", what, framebuffer_status(status));
 }

@@ -17,5 +17,9 @@ void gl_clear_error(void);
 // Appends " @0xOFFSET@" of the innermost of the `count` return addresses that lies in lab.so (for addr2line).
 void gl_append_caller(char *text, size_t size, void *const *frames, int count);
 
-// Checks that the framebuffer bound to GL_FRAMEBUFFER is complete; the message names `what` and the reason.
+// Checks that the framebuffer bound to GL_FRAMEBUFFER is complete, or where it was unbound already (0), the
+// last one that was bound. The message names `what` and the reason.
 bool gl_check_framebuffer(const char *what);
+
+// From now on no framebuffer counts as the last one that was bound.
+void gl_forget_framebuffer(void);

@@ -2,45 +2,179 @@
 
 #include "scene/count.h"
 
+static GLuint limit_of(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value > 0 ? (GLuint)value : 0;
+}
+
+// What holds up other calls, or keeps them from having an effect, comes first.
+static void end_what_runs(void) {
+    static const GLenum targets[] = {GL_SAMPLES_PASSED, GL_ANY_SAMPLES_PASSED, GL_TIME_ELAPSED,
+                                     GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN};
+    glad_glEndConditionalRender(); // an error where none runs, which nothing can ask
+    glad_glGetError();
+    if (limit_of(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE))
+        glEndTransformFeedback();
+    for (unsigned i = 0; i < COUNT(targets); i++) {
+        bool indexed = i >= 3;
+        for (GLuint stream = 0; stream < (indexed ? limit_of(GL_MAX_VERTEX_STREAMS) : 1); stream++) {
+            GLint query = 0;
+            glGetQueryIndexediv(targets[i], stream, GL_CURRENT_QUERY, &query);
+            if (query)
+                glEndQueryIndexed(targets[i], stream);
+        }
+    }
+}
+
+// Some hundred calls of which none can fail: straight to the driver.
 static void unbind_textures(void) {
-    for (GLenum unit = 0; unit < 8; unit++) {
-        glActiveTexture(GL_TEXTURE0 + unit);
-        glBindTexture(GL_TEXTURE_2D, 0);
-        glBindTexture(GL_TEXTURE_3D, 0);
-        glBindSampler(unit, 0);
+    static const GLenum targets[] = {GL_TEXTURE_1D,
+                                     GL_TEXTURE_2D,
+                                     GL_TEXTURE_3D,
+                                     GL_TEXTURE_1D_ARRAY,
+                                     GL_TEXTURE_2D_ARRAY,
+                                     GL_TEXTURE_RECTANGLE,
+                                     GL_TEXTURE_CUBE_MAP,
+                                     GL_TEXTURE_CUBE_MAP_ARRAY,
+                                     GL_TEXTURE_BUFFER,
+                                     GL_TEXTURE_2D_MULTISAMPLE,
+                                     GL_TEXTURE_2D_MULTISAMPLE_ARRAY};
+    const GLuint units = limit_of(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    for (GLuint unit = 0; unit < units; unit++) {
+        glad_glActiveTexture(GL_TEXTURE0 + unit);
+        for (unsigned i = 0; i < COUNT(targets); i++)
+            glad_glBindTexture(targets[i], 0);
+        glad_glBindSampler(unit, 0);
     }
     glActiveTexture(GL_TEXTURE0);
 }
 
-void gl_reset(void) {
-    static const GLenum off[] = {GL_BLEND,         GL_STENCIL_TEST,        GL_SCISSOR_TEST,
-                                 GL_DEPTH_CLAMP,   GL_POLYGON_OFFSET_FILL, GL_FRAMEBUFFER_SRGB,
-                                 GL_COLOR_LOGIC_OP};
+static void unbind_buffers(void) {
+    static const GLenum targets[] = {GL_ARRAY_BUFFER,         GL_COPY_READ_BUFFER,  GL_COPY_WRITE_BUFFER,
+                                     GL_DRAW_INDIRECT_BUFFER, GL_PIXEL_PACK_BUFFER, GL_PIXEL_UNPACK_BUFFER,
+                                     GL_TEXTURE_BUFFER};
+    const GLuint uniform = limit_of(GL_MAX_UNIFORM_BUFFER_BINDINGS);
+    const GLuint feedback = limit_of(GL_MAX_TRANSFORM_FEEDBACK_BUFFERS);
+    for (unsigned i = 0; i < COUNT(targets); i++)
+        glBindBuffer(targets[i], 0);
+    for (GLuint i = 0; i < uniform; i++)
+        glBindBufferBase(GL_UNIFORM_BUFFER, i, 0);
+    for (GLuint i = 0; i < feedback; i++)
+        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, i, 0);
+}
+
+static void unbind_objects(void) {
+    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+    glUseProgram(0);
+    glBindProgramPipeline(0);
+    glBindVertexArray(0);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl_forget_framebuffer();
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    unbind_buffers();
+    unbind_textures();
+}
+
+static void switch_all(void) {
+    static const GLenum off[] = {GL_BLEND,
+                                 GL_COLOR_LOGIC_OP,
+                                 GL_DEPTH_CLAMP,
+                                 GL_FRAMEBUFFER_SRGB,
+                                 GL_LINE_SMOOTH,
+                                 GL_POLYGON_OFFSET_FILL,
+                                 GL_POLYGON_OFFSET_LINE,
+                                 GL_POLYGON_OFFSET_POINT,
+                                 GL_POLYGON_SMOOTH,
+                                 GL_PRIMITIVE_RESTART,
+                                 GL_PROGRAM_POINT_SIZE,
+                                 GL_RASTERIZER_DISCARD,
+                                 GL_SAMPLE_ALPHA_TO_COVERAGE,
+                                 GL_SAMPLE_ALPHA_TO_ONE,
+                                 GL_SAMPLE_COVERAGE,
+                                 GL_SAMPLE_MASK,
+                                 GL_SAMPLE_SHADING,
+                                 GL_SCISSOR_TEST,
+                                 GL_STENCIL_TEST,
+                                 GL_TEXTURE_CUBE_MAP_SEAMLESS};
+    static const GLenum on[] = {GL_DEPTH_TEST, GL_CULL_FACE, GL_DITHER, GL_MULTISAMPLE};
     for (unsigned i = 0; i < COUNT(off); i++)
         glDisable(off[i]);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
+    for (GLuint i = 0; i < limit_of(GL_MAX_CLIP_DISTANCES); i++)
+        glDisable(GL_CLIP_DISTANCE0 + i);
+    for (unsigned i = 0; i < COUNT(on); i++)
+        glEnable(on[i]);
+}
+
+static void reset_pixel_store(void) {
+    static const GLenum zero[] = {GL_PACK_SWAP_BYTES,    GL_PACK_LSB_FIRST,      GL_PACK_ROW_LENGTH,
+                                  GL_PACK_IMAGE_HEIGHT,  GL_PACK_SKIP_ROWS,      GL_PACK_SKIP_PIXELS,
+                                  GL_PACK_SKIP_IMAGES,   GL_UNPACK_SWAP_BYTES,   GL_UNPACK_LSB_FIRST,
+                                  GL_UNPACK_ROW_LENGTH,  GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS,
+                                  GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES};
+    for (unsigned i = 0; i < COUNT(zero); i++)
+        glPixelStorei(zero[i], 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
+}
+
+static void reset_geometry(void) {
+    glPatchParameteri(GL_PATCH_VERTICES, 3);
+    glPatchParameterfv(GL_PATCH_DEFAULT_OUTER_LEVEL, (float[]){1, 1, 1, 1});
+    glPatchParameterfv(GL_PATCH_DEFAULT_INNER_LEVEL, (float[]){1, 1});
+    glPrimitiveRestartIndex(0);
+    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+    for (GLuint i = 0; i < limit_of(GL_MAX_VERTEX_ATTRIBS); i++)
+        glVertexAttrib4f(i, 0, 0, 0, 1);
+    glViewport(0, 0, 0, 0); // of all viewports, as the next two
+    glScissor(0, 0, 0, 0);
     glDepthRange(0, 1);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glStencilMask(~0u);
-    glStencilFunc(GL_ALWAYS, 0, ~0u);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    glBlendFunc(GL_ONE, GL_ZERO);
-    glBlendEquation(GL_FUNC_ADD);
-    glEnable(GL_CULL_FACE);
+}
+
+static void reset_rasterizer(void) {
     glCullFace(GL_BACK);
     glFrontFace(GL_CCW);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glPolygonOffset(0, 0);
+    glLineWidth(1);
+    glPointSize(1);
+    glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 1);
+    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_UPPER_LEFT);
+    glSampleCoverage(1, GL_FALSE);
+    glMinSampleShading(0);
+    for (GLuint i = 0; i < limit_of(GL_MAX_SAMPLE_MASK_WORDS); i++)
+        glSampleMaski(i, ~0u);
+    static const GLenum hints[] = {GL_FRAGMENT_SHADER_DERIVATIVE_HINT, GL_LINE_SMOOTH_HINT,
+                                   GL_POLYGON_SMOOTH_HINT, GL_TEXTURE_COMPRESSION_HINT};
+    for (unsigned i = 0; i < COUNT(hints); i++)
+        glHint(hints[i], GL_DONT_CARE);
+}
+
+static void reset_fragments(void) {
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); // of all draw buffers, as the blending
+    glStencilMask(~0u);                              // of both faces
+    glStencilFunc(GL_ALWAYS, 0, ~0u);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glBlendFunc(GL_ONE, GL_ZERO);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendColor(0, 0, 0, 0);
+    glLogicOp(GL_COPY);
     glClearColor(0, 0, 0, 1);
     glClearDepth(1);
     glClearStencil(0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glBindVertexArray(0);
-    glUseProgram(0);
-    unbind_textures();
+}
+
+void gl_reset(void) {
+    end_what_runs();
+    unbind_objects();
+    switch_all();
+    reset_pixel_store();
+    reset_geometry();
+    reset_rasterizer();
+    reset_fragments();
 }
 
 GLuint gl_create_grey_texture(void) {

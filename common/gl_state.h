@@ -3,8 +3,10 @@
 
 #include "gl.h"
 
-// Everything a pass may have touched goes back to the state in which a frame begins: depth test on (GL_LESS),
-// back faces culled, nothing bound, no blending, stencil, scissor or polygon offset, all masks open.
+// The state of a new context, whatever was left behind, so that no frame depends on those before it; but with
+// the depth test on (GL_LESS) and back faces culled. So: nothing bound, neither a framebuffer, everything
+// else off, all masks open, queries and transform feedback ended. What belongs to an object that a lab made,
+// like the filter of a texture, stays.
 void gl_reset(void);
 
 // A 2D texture without size, texels or filters yet: clamped to its edge, its red

@@ -15,8 +15,17 @@ LIBS = $(shell pkg-config --libs $(PACKAGES) $(GLFW)) $(if $(EMBREE),-lembree3) 
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
+# What a lab brings along lies in its folder: scenes*.c, and study*.c, rows*.c and witness*.c where their rooms are. In a kit, which has
+# no solutions, the scenes lie elsewhere. Each file is told its lab, and the name of the table that it may define.
+OURS := $(firstword $(wildcard solutions grader/recorded/scenes))
+BRINGS := scenes $(if $(filter study,$(ROOMS)),study) $(if $(filter stability,$(ROOMS)),rows)
+brought = $(sort $(wildcard $(addprefix $(OURS)/[0-9][0-9]-*/,$(1)*.c)))
+lab_id = $(firstword $(subst -, ,$(notdir $(patsubst %/,%,$(dir $(1))))))
+lab_table = lab_$(call lab_id,$(1))_$(subst -,_,$(notdir $(basename $(1))))
+LAB_FLAGS = -DLAB_ID='"$(call lab_id,$<)"' -DLAB_NUMBER=$(patsubst 0%,%,$(call lab_id,$<)) -DLAB_TABLE=$(call lab_table,$<)
+LAB_OBJECTS := $(call objects,$(foreach kind,$(BRINGS),$(call brought,$(kind)))) $(patsubst %,$(BUILD)/tables/%.o,$(BRINGS))
 COMMON := $(call objects,common/*.c common/scene/*.c) $(GLAD)
-ROOM_OBJECTS := $(call objects,$(foreach room,$(filter-out worker,$(ROOMS)),grader/$(room)/*.c grader/$(room)/rows/*.c))
+ROOM_OBJECTS := $(call objects,$(foreach room,$(filter-out worker,$(ROOMS)),grader/$(room)/*.c)) $(LAB_OBJECTS)
 ARCHIVE := $(BUILD)/rooms.a
 LINK = $(CC) $(SANITIZE) -o $@ $(1) -Wl,--as-needed $(ARCHIVE) $(LIBS)
 
@@ -27,13 +36,15 @@ PROGRAMS := $(addprefix $(BUILD)/,$(filter-out $(MISSING),$(basename $(notdir $(
 INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
 STATIC := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-static)
 TESTS := $(patsubst grader/tests/c/%.c,$(BUILD)/%,$(wildcard grader/tests/c/test_*.c))
+witness = $(BUILD)/test_$(patsubst lab_%,%,$(call lab_table,$(1)))
+WITNESSES := $(foreach file,$(call brought,witness),$(call witness,$(file)))
 # Shims that are weakened on purpose, and other programs of the tests.
 WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
 
 programs: $(BUILD)/worker $(INSIDE) $(PROGRAMS)
-tests: $(TESTS) hostile-programs
+tests: $(TESTS) $(WITNESSES) hostile-programs
 hostile-programs: $(BUILD)/hostile $(BUILD)/without $(WEAK)
-.PHONY: programs tests hostile-programs
+.PHONY: programs tests hostile-programs always
 .SECONDARY:
 
 $(BUILD)/include/glad/gl.h:
@@ -55,6 +66,22 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 $(call objects,grader/window/*.c grader/programs/view.c): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
 $(BUILD)/grader/score/score.o: CFLAGS += -O3 # the vectors halve what a picture costs
 
+$(BUILD)/$(OURS)/%.o: ALL_CFLAGS += $(LAB_FLAGS)
+# The list of the tables of one kind, in the order of the labs. A file without a table helps another one.
+TABLE_scenes := SceneMaker scene/scene_parts.h
+TABLE_study := LabStudy study/study_scene.h
+TABLE_rows := Row stability/row.h
+tables = $(foreach file,$(shell grep -l 'LAB_TABLE\[\]' $(call brought,$(1)) /dev/null),$(call lab_table,$(file)))
+$(BUILD)/tables/%.c: always
+	@mkdir -p $(@D)
+	@printf '%s\n' '#include "$(lastword $(TABLE_$*))"' \
+		$(foreach table,$(call tables,$*),'extern const $(firstword $(TABLE_$*)) $(table)[];') \
+		'const $(firstword $(TABLE_$*)) *const $*_tables[] = {$(foreach table,$(call tables,$*),$(table), )NULL};' >$@.new
+	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+$(BUILD)/tables/%.o: $(BUILD)/tables/%.c | $(BUILD)/include/glad/gl.h
+	$(CC) $(ALL_CFLAGS) -c -o $@ $<
+always:
+
 $(ARCHIVE): $(ROOM_OBJECTS) $(COMMON)
 	@rm -f $@ && ar rcs $@ $^
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/grader/programs/%.o $(ARCHIVE)
@@ -63,6 +90,9 @@ $(PROGRAMS): $(BUILD)/%: $(BUILD)/grader/programs/%.o $(ARCHIVE)
 $(BUILD)/worker: $(call objects,grader/worker/*.c) $(COMMON) $(ARCHIVE) $(BUILD)/include/given.h.gch
 	$(CC) $(SANITIZE) -rdynamic -o $@ $(filter %.o,$^) -Wl,--as-needed $(ARCHIVE) $(LIBS)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/c/%.o $(call objects,grader/tests/helpers/*.c) $(ARCHIVE)
+	$(call LINK,$(filter %.o,$^)) -lcmocka
+$(foreach file,$(call brought,witness),$(eval $(call witness,$(file)): $(BUILD)/$(file:.c=.o)))
+$(WITNESSES): $(call objects,grader/tests/helpers/*.c) $(ARCHIVE)
 	$(call LINK,$(filter %.o,$^)) -lcmocka
 $(BUILD)/hostile: $(BUILD)/grader/tests/programs/hostile.o $(ARCHIVE)
 	$(call LINK,$<)
@@ -76,7 +106,7 @@ $(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/programs/weak_%.o $(call inside,
 $(BUILD)/without: $(BUILD)/grader/tests/programs/without.o
 	$(CC) -o $@ $^ -lseccomp
 $(BUILD)/test_jail: | $(WEAK)
-$(BUILD)/jail_probe: $(call inside,probe) $(call inside,attack)
+$(BUILD)/jail_probe: $(call inside,attack)
 	$(CC) -o $@ $^ -lpthread -lrt
 $(BUILD)/jail_unpack: $(call inside,unpack)
 	$(CC) -o $@ $^ -larchive

@@ -19,16 +19,19 @@ typedef struct Object {
     float specular, shininess;
 } Object;
 
-typedef enum LightKind { LIGHT_SPOT, LIGHT_DIRECTIONAL } LightKind;
+typedef enum LightKind { LIGHT_SPOT, LIGHT_DIRECTIONAL, LIGHT_POINT } LightKind;
 
-// Both kinds have a position, where their shadow map is taken, and look at `target`. A spot light sends rays
-// from its position in all directions, a directional one parallel rays from position to target.
+// All have a position, where their shadow map is taken, and look at `target`. A directional light sends
+// parallel rays from position to target, a spot light rays from its position forwards, a point light rays
+// from its position in all directions.
 typedef struct Light {
     int32_t kind;
     vec3s position, target; // world
     vec3s color;
     float fov_y;     // spot: full angle of the square map, radians
     float half_size; // directional: half the side of the square map, world units
+    float extent;    // spot and point: half the side of a square lamp around the position, at right angles to
+                     // the line to the target, world units; 0: a lamp without a size
     float near_plane, far_plane;
 } Light;
 
@@ -38,6 +41,12 @@ typedef struct Camera {
     float near_plane, far_plane;
 } Camera;
 
+// What the light crosses, the same everywhere: of the light that travels dt, scattering * dt is sent into all
+// directions alike and extinction * dt is lost. Per world unit; both 0: clear air.
+typedef struct Medium {
+    float scattering, extinction;
+} Medium;
+
 typedef struct Scene {
     Object objects[SCENE_MAX_OBJECTS];
     Light lights[SCENE_MAX_LIGHTS];
@@ -45,6 +54,7 @@ typedef struct Scene {
     Camera second_camera; // what the screen shows (lab 02)
     vec3s ambient;        // colour of the ambient light
     vec3s background;
+    Medium medium;
     int32_t object_count, light_count;
 } Scene;
 
@@ -61,6 +71,6 @@ mat4s camera_view_from_world(const Camera *camera);
 // aspect = width / height of the picture.
 mat4s camera_clip_from_view(const Camera *camera, float aspect);
 
-// From the world to the clip space of the light's map: perspective for a spot light,
-// orthographic for a directional one.
-mat4s scene_light_clip_from_world(const Light *light);
+// The unit vectors to the right and up of the light's map, in the world. A square lamp is position + a *
+// right + b * up with |a|, |b| <= extent.
+void light_axes(const Light *light, vec3s *right, vec3s *up);

@@ -1,4 +1,4 @@
-// What scenes are built from, and the tables that hold them (one file a topic).
+// What scenes are built from, and the tables that hold them.
 #pragma once
 
 #include "scene/scene.h"
@@ -9,13 +9,9 @@ typedef struct SceneMaker {
     void (*make)(Scene *scene, Random *random);
 } SceneMaker;
 
-extern const SceneMaker scenes_shading[];   // scenes_shading.c: shapes under light, no shadow
-extern const SceneMaker scenes_table[];     // a table with two casters: framebuffers and shadow maps
-extern const SceneMaker scenes_bias[];      // grazing light, thin walls, a wall on the floor
-extern const SceneMaker scenes_filter[];    // edges of shadows
-extern const SceneMaker scenes_random[];    // wide penumbrae, what an early-out misses
-extern const SceneMaker scenes_volumes[];   // closed casters, an eye in the shadow
-extern const SceneMaker scenes_occlusion[]; // corners and contacts under a wide sky
+// The scenes of all labs, in the labs' order, then NULL. The file scenes*.c of a lab defines a table by
+// the name LAB_TABLE; build.mk gives each file a name of its own for it and makes this list.
+extern const SceneMaker *const scenes_tables[];
 
 // Neither black nor white.
 vec3s part_color(Random *random);

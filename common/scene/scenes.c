@@ -1,20 +1,13 @@
 // Scenes. Each holds only what shows its phenomenon; what varies is drawn from a seed, so that a picture of
 // one variant is worth nothing in another.
 #include "scene/check.h"
-#include "scene/count.h"
 #include "scene/scene_parts.h"
 
 #include <string.h>
 
-static const SceneMaker *const tables[] = {
-    scenes_shading, scenes_table, scenes_bias, scenes_filter, scenes_random, scenes_volumes, scenes_occlusion,
-};
-
-enum { TABLE_COUNT = COUNT(tables) };
-
 static const SceneMaker *find(int i) {
-    for (int table = 0; table < TABLE_COUNT; table++)
-        for (const SceneMaker *maker = tables[table]; maker->name; maker++)
+    for (int table = 0; scenes_tables[table]; table++)
+        for (const SceneMaker *maker = scenes_tables[table]; maker->name; maker++)
             if (i-- == 0)
                 return maker;
     return NULL;
@@ -26,7 +19,7 @@ const char *scene_name(int i) {
 }
 
 bool scene_make(Scene *scene, const char *name, Random *random) {
-    char names[1024] = "";
+    char names[2048] = "";
     for (int i = 0; find(i); i++) {
         if (strcmp(find(i)->name, name) == 0) {
             find(i)->make(scene, random);

@@ -7,10 +7,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
-typedef struct Look {
+typedef struct Fingerprint {
     const char *folder;
     uint64_t hash;
-} Look;
+} Fingerprint;
 
 bool file_watch_is_source(const char *name) {
     static const char *const ends[] = {".c", ".h", ".vert", ".frag", ".geom", ".glsl"};
@@ -21,29 +21,29 @@ bool file_watch_is_source(const char *name) {
     return false;
 }
 
-static void look_at(const char *name, void *context) {
-    Look *look = context;
+static void add_file(const char *name, void *context) {
+    Fingerprint *print = context;
     struct stat info = {0};
     char path[FILES_PATH];
     if (!file_watch_is_source(name))
         return;
-    files_join(path, look->folder, name);
+    files_join(path, print->folder, name);
     if (stat(path, &info) != 0)
         return;
-    look->hash = hash_bytes(look->hash, name, strlen(name));
-    look->hash = hash_bytes(look->hash, &info.st_size, sizeof info.st_size);
-    look->hash = hash_bytes(look->hash, &info.st_ino, sizeof info.st_ino);
-    look->hash = hash_bytes(look->hash, &info.st_mtim, sizeof info.st_mtim);
+    print->hash = hash_bytes(print->hash, name, strlen(name));
+    print->hash = hash_bytes(print->hash, &info.st_size, sizeof info.st_size);
+    print->hash = hash_bytes(print->hash, &info.st_ino, sizeof info.st_ino);
+    print->hash = hash_bytes(print->hash, &info.st_mtim, sizeof info.st_mtim);
 }
 
 static uint64_t fingerprint(const FileWatch *changes) {
-    Look look = {.hash = HASH_START};
+    Fingerprint print = {.hash = HASH_START};
     for (int i = 0; i < CHANGES_FOLDERS; i++) {
-        look.folder = changes->folders[i];
-        if (look.folder[0])
-            files_list(look.folder, look_at, &look);
+        print.folder = changes->folders[i];
+        if (print.folder[0])
+            files_list(print.folder, add_file, &print);
     }
-    return look.hash;
+    return print.hash;
 }
 
 void file_watch_begin(FileWatch *changes, const char *folder, const char *other) {

@@ -76,7 +76,7 @@ bool files_check_folder(const char *path) {
     return at >= 0;
 }
 
-static int open_strange(const char *folder, const char *name) {
+static int open_untrusted(const char *folder, const char *name) {
     struct open_how how = {.flags = O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW,
                            .resolve = RESOLVE_BENEATH | RESOLVE_NO_SYMLINKS | RESOLVE_NO_MAGICLINKS |
                                       RESOLVE_NO_XDEV};
@@ -92,10 +92,10 @@ static int open_strange(const char *folder, const char *name) {
     return descriptor;
 }
 
-static char *read_strange(const char *folder, const char *name, size_t limit, size_t *size) {
+static char *read_untrusted(const char *folder, const char *name, size_t limit, size_t *size) {
     struct stat info;
     char *text = NULL;
-    int descriptor = open_strange(folder, name);
+    int descriptor = open_untrusted(folder, name);
     if (descriptor < 0)
         return NULL;
     if (fstat(descriptor, &info) == 0 && S_ISREG(info.st_mode) && info.st_nlink != 1)
@@ -106,14 +106,14 @@ static char *read_strange(const char *folder, const char *name, size_t limit, si
     return text;
 }
 
-char *files_read_strange(const char *folder, const char *name, size_t limit) {
+char *files_read_untrusted(const char *folder, const char *name, size_t limit) {
     size_t size;
-    return read_strange(folder, name, limit, &size);
+    return read_untrusted(folder, name, limit, &size);
 }
 
 bool files_take(const char *folder, const char *name, const char *path, size_t limit) {
     size_t size;
-    char *bytes = read_strange(folder, name, limit, &size);
+    char *bytes = read_untrusted(folder, name, limit, &size);
     if (!bytes)
         return false;
     int file = open(path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644);

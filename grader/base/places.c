@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 static const char *program_folder(void) {
-    static char path[FILES_PATH];
+    static char path[FILES_PATH]; // found at the first call
     if (!path[0]) {
         ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
         INVARIANT(length > 0);

@@ -14,8 +14,8 @@ enum { PROCESS_OUTPUT = 64 * 1024, PROCESS_FLOOD = 4 * 1024 * 1024 };
 typedef struct ProcessLimits {
     double wall_seconds;                        // for the whole life of the process
     unsigned cpu_seconds, memory_mib, file_mib; // 0: no limit
-    bool stranger; // no terminal, and dies with us; none of its descendants may found a session or a group
-    unsigned user; // uid and gid of a stranger; 0: ours
+    bool untrusted; // no terminal, and dies with us; none of its descendants may found a session or a group
+    unsigned user;  // uid and gid of untrusted code; 0: ours
 } ProcessLimits;
 
 typedef enum ProcessState {

@@ -6,9 +6,9 @@
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "class/run_settings.h"
-#include "class/pool.h"
-#include "class/ticker.h"
+#include "base/pool.h"
 #include "class/submission_record.h"
+#include "base/progress_bar.h"
 #include "class/roster.h"
 #include "intake/archive.h"
 #include "class/run_folder.h"
@@ -27,7 +27,7 @@ typedef struct Class {
     RunSettings plan;
     Session session; // of a process of the pool, once it has graded something
     bool ready;
-    Ticker ticker;
+    ProgressBar bar;
     int not_graded; // of this run
 } Class;
 
@@ -76,19 +76,21 @@ static void work(Outcome *outcome, void *context) {
 static void finished(const Outcome *outcome, void *context) {
     Class *class = context;
     const RosterEntry *entry = &class->roster.entries[outcome->job];
-    char text[POOL_REASON + 32];
+    char *reason = printable_name(outcome->reason), *line = NULL;
+    int length;
     if (outcome->done) {
-        snprintf(text, sizeof text, "%.2f of %.0f", outcome->score, outcome->maximum);
+        length = asprintf(&line, "%s: %.2f of %.0f", entry->shown, outcome->score, outcome->maximum);
     } else {
-        char *reason = printable_name(outcome->reason);
-        snprintf(text, sizeof text, "not graded: %.*s", POOL_REASON, reason);
-        free(reason);
+        length = asprintf(&line, "%s: not graded: %.*s", entry->shown, POOL_REASON, reason);
         class->not_graded++;
         check_clear();
         if (!submission_record_write_failure(class->options->output, entry, outcome->reason))
             fprintf(stderr, "grade: %s\n", check_message());
     }
-    ticker_step(&class->ticker, entry->shown, text, !outcome->done);
+    progress_bar_step(&class->bar, length < 0 ? entry->shown : line, !outcome->done);
+    free(reason);
+    if (length >= 0)
+        free(line);
 }
 
 // Writes the numbers of the entries that are to be graded to `jobs`. False with a message.
@@ -142,9 +144,9 @@ static bool grade_all(Class *class) {
                            .work = work,
                            .finished = finished};
         int total = options->only ? count : class->roster.count;
-        ticker_begin(&class->ticker, stdout, total, total - count);
+        progress_bar_begin(&class->bar, stdout, "class", total, total - count);
         ok = pool_run(&pool, jobs, count);
-        ticker_end(&class->ticker);
+        progress_bar_end(&class->bar);
     }
     free(jobs);
     return ok;

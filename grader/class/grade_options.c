@@ -15,7 +15,7 @@ const char options_usage[] =
     "       build/grade [options] --class DIR --output OUT\n"
     "  SUBMISSION        a folder shaped like labs/, or the folder of one lab\n"
     "  --lab NN          only this lab; may be repeated\n"
-    "  --seed N          the variants of an earlier run (default: drawn anew)\n"
+    "  --seed N          the variants of an earlier run (default: drawn at random)\n"
     "  --context C       osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
     "  --format F        text (default), json, html, gradescope or check50\n"
     "  --output DIR      pictures of what failed: yours, reference, difference\n"

@@ -51,7 +51,8 @@ static bool write_csv(const char *output, const Table *table) {
     fputs(",total,status\n", out);
     for (int i = 0; i < table->roster->count; i++)
         write_row(out, table, i);
-    INVARIANT(fclose(out) == 0);
+    bool whole = fclose(out) == 0;
+    INVARIANT(whole);
     files_join(path, output, "grades.csv");
     bool ok = files_write_whole(path, text, true);
     free(text);

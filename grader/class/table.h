@@ -23,7 +23,7 @@ bool table_is_graded(const Table *table, int i);
 // Why entry i is not graded.
 const char *table_reason(const Table *table, int i);
 
-// Entry i's result of the plan's lab n, as in schema.json; NULL when it is not graded.
+// Entry i's result of the plan's lab n, as in report/report.schema.json; NULL when it is not graded.
 const json_t *table_lab(const Table *table, int i, int n);
 
 // A number or a text of it; 0 or "" when there is none.

@@ -51,7 +51,7 @@ static bool run_gcc(Process *process, const char *folder, const char *out, const
     return run_tool(process, arguments, folder, out, jail);
 }
 
-// What the jail wrote is as strange as what it was made from.
+// What the jail wrote is as untrusted as what it was made from.
 static bool take_library(const char *folder, const char *out) {
     char library[FILES_PATH];
     files_join(library, folder, "lab.so");

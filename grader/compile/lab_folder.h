@@ -14,7 +14,7 @@ bool lab_folder_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solve
 
 // From a submission: copies only the files that the rubric names to the new folder `folder` and compiles
 // them in the jail (NULL: the grader's own user trusts it). `log` gets gcc's words. False with a message that
-// names the file that is missing, strange or wrong.
+// names the file that is missing, unusual or wrong.
 bool lab_folder_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                            char log[COMPILE_LOG]);
 

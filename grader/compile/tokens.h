@@ -18,6 +18,7 @@ typedef struct Token {
 // not closed ends with its line, a comment that is not closed with the text.
 Token tokens_next(const char **at);
 
+// Is it just this text?
 bool token_is(const Token *token, const char *word);
 
 // Is it a directive of this name: "if" is also #ifdef and #ifndef.

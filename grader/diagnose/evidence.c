@@ -1,7 +1,6 @@
 #include "diagnose/evidence.h"
 
 #include "scene/check.h"
-#include "score/difference.h"
 #include "score/score.h"
 
 #include <string.h>
@@ -47,7 +46,7 @@ static bool attach(CheckResult *check, const Image *yours, const Image *referenc
     if (!image_copy(&parts[EVIDENCE_YOURS], yours) || !image_copy(&parts[EVIDENCE_REFERENCE], reference) ||
         !image_copy(&parts[EVIDENCE_DIFFERENCE], yours))
         return false;
-    difference_mark(&parts[EVIDENCE_DIFFERENCE], yours, reference);
+    check->difference = difference_mark(&parts[EVIDENCE_DIFFERENCE], yours, reference);
     return make_crop(&parts[EVIDENCE_CROP], (const Image *const[3]){&parts[0], &parts[1], &parts[2]});
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "exam/exam.h"
+#include "score/difference.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -24,6 +25,7 @@ typedef struct CheckResult {
     char seen[256]; // what is wrong with the picture, in words; "" when that says no more than the cause
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
     Image evidence[EVIDENCE_PARTS]; // owned; empty when the check passed or nobody asked for it
+    Difference difference;          // the evidence's
 } CheckResult;
 
 enum { FAULT_PARTS = 3 };

@@ -105,7 +105,7 @@ static bool create_check(Exam *exam, int c, const Trio *trio) {
     if (ok && n < check->variants)
         return check_fail(
             "lab %s, check \"%s\": seed %llu gives only %d of %d variants in which the task shows; "
-            "try another seed or mend the rubric",
+            "try another seed or fix the rubric",
             exam->rubric->id, check->name, (unsigned long long)exam->seed, n, check->variants);
     return ok;
 }

@@ -38,7 +38,8 @@ bool painters_draw(Painters *painters, const Painter *painter, const Request *re
                    Reply *reply) {
     static Request named;
     named = *request;
-    INVARIANT(snprintf(named.folder, sizeof named.folder, "%s", painter->folder) < (int)sizeof named.folder);
+    int length = snprintf(named.folder, sizeof named.folder, "%s", painter->folder);
+    INVARIANT(length < (int)sizeof named.folder);
     DrawResult result = worker_client_draw(&painters->client, &named, image, reply);
     return result == DRAW_OK || result == DRAW_FAILED ||
            check_fail("our own lab in %s could not draw: %s", painter->folder, reply->message);

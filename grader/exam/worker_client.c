@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-enum { MEMORY_MIB = 2048 };
+enum { MEMORY_MIB = 2048, MAX_RESTARTS = 16 };
 
 #if defined(__SANITIZE_ADDRESS__)
 static const bool limits_memory = false; // the sanitizer reserves terabytes of addresses
@@ -50,7 +50,7 @@ bool worker_client_start(WorkerClient *client) {
                                       .file_mib = ours ? 0 : 1};
     else if (!ours)
         plan.limits = (ProcessLimits){.wall_seconds = wall_seconds(client),
-                                      .cpu_seconds = (unsigned)client->seconds + 1,
+                                      .cpu_seconds = (unsigned)(client->seconds - client->used_seconds) + 1,
                                       .memory_mib = limits_memory ? MEMORY_MIB : 0,
                                       .file_mib = 1};
     client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
@@ -62,7 +62,17 @@ static bool used_up_its_time(const WorkerClient *client) {
     const Process *process = &client->process;
     int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
     return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
-           (number == SIGKILL && !client->each_turn && process->cpu_seconds >= client->seconds);
+           (number == SIGKILL && !client->each_turn &&
+            process->cpu_seconds >= client->seconds - client->used_seconds);
+}
+
+// " in PASS", as the worker's last words tell it, after what the lab printed.
+static void append_place(char *text, size_t size, const char *printed) {
+    const char *place = NULL;
+    for (const char *next = printed; (next = strstr(next, PROTOCOL_PLACE)); next++)
+        place = next + strlen(PROTOCOL_PLACE);
+    if (place)
+        check_append(text, size, " in %.300s", place);
 }
 
 static DrawResult explain_end(const WorkerClient *client, char *text, size_t size) {
@@ -75,7 +85,9 @@ static DrawResult explain_end(const WorkerClient *client, char *text, size_t siz
         return DRAW_LOST;
     }
     if (used_up_its_time(client)) {
-        check_append(text, size, "it was stopped after %.0f s: is there an endless loop?", client->seconds);
+        check_append(text, size, "it was stopped after %.0f s", client->seconds);
+        append_place(text, size, process->text);
+        check_append(text, size, ": is there an endless loop?");
         return DRAW_TIMEOUT;
     }
     if (!WIFSIGNALED(status)) {
@@ -86,12 +98,7 @@ static DrawResult explain_end(const WorkerClient *client, char *text, size_t siz
     }
     check_append(text, size, "it crashed: %s (%s)", strsignal(WTERMSIG(status)),
                  sigabbrev_np(WTERMSIG(status)));
-    const char *place =
-        strstr(process->text, "in "); // report_crash of the worker, after what the lab printed
-    while (place && strstr(place + 1, "in "))
-        place = strstr(place + 1, "in ");
-    if (place)
-        check_append(text, size, " %.300s", place);
+    append_place(text, size, process->text);
     if (process->peak_mib > MEMORY_MIB / 2)
         check_append(text, size, "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib,
                      MEMORY_MIB);
@@ -133,7 +140,8 @@ static DrawResult exchange(WorkerClient *client, const Request *request, void *p
 DrawResult worker_client_draw(WorkerClient *client, const Request *request, Image *image, Reply *reply) {
     if (image->width != request->width || image->height != request->height) {
         image_destroy(image);
-        INVARIANT(image_create(image, request->width, request->height));
+        bool created = image_create(image, request->width, request->height);
+        INVARIANT(created);
     }
     return exchange(client, request, image->rgba, image_bytes(image), reply);
 }
@@ -152,6 +160,17 @@ DrawResult worker_client_describe(WorkerClient *client, const Request *request, 
 void worker_client_begin(WorkerClient *client) {
     if (client->started && (client->trust == TRUST_NOBODY || client->each_turn))
         client->process.deadline = process_now() + wall_seconds(client);
+}
+
+bool worker_client_restart(WorkerClient *client) {
+    const double deadline = client->process.deadline;
+    worker_client_stop(client);
+    client->used_seconds += client->process.cpu_seconds;
+    if (++client->restarts > MAX_RESTARTS || client->used_seconds >= client->seconds ||
+        process_now() >= deadline || !worker_client_start(client))
+        return false;
+    client->process.deadline = deadline;
+    return true;
 }
 
 void worker_client_stop(WorkerClient *client) {

@@ -24,9 +24,11 @@ typedef struct WorkerClient {
     bool quick_shaders;  // compiled sooner and worse: for frames that are few and small; the same pixels
     double seconds;      // processor time that a submission may use
     double patience;     // wall time that it may use, in units of that; 0: 1
-    bool each_turn; // `seconds` is wall time and begins anew with worker_client_begin, whoever draws: for a
+    bool each_turn; // `seconds` is wall time and starts again with worker_client_begin, whoever draws: for a
                     // window
     bool started;
+    int restarts;        // by worker_client_restart
+    double used_seconds; // processor time of the workers before this one
     Process process;
 } WorkerClient;
 
@@ -48,6 +50,11 @@ DrawResult worker_client_describe(WorkerClient *client, const Request *request, 
 // Starts the worker without waiting for it, so that several start side by side. False: no process can be
 // started.
 bool worker_client_start(WorkerClient *client);
-// The wall time of a running worker begins anew: what has passed was spent by us, or on earlier turns.
+// The wall time of a running worker starts again: what has passed was spent by us, or on earlier turns.
 void worker_client_begin(WorkerClient *client);
+
+// Starts another worker in the place of one that was lost, for what is left of its time. False when no time
+// is left, or after too many of them.
+bool worker_client_restart(WorkerClient *client);
+
 void worker_client_stop(WorkerClient *client); // accepts a zeroed client

@@ -62,22 +62,64 @@ typedef struct Ratios {
     int count;
 } Ratios;
 
-// Draws one frame of the student's; false when no more frames will come.
-static bool draw_one(LabResult *result, WorkerClient *student, const Variant *variant, Image *yours,
-                     float *milliseconds) {
-    static Reply reply;
-    DrawResult drawn = worker_client_draw(student, &variant->request, yours, &reply);
+// What the lab prints, for who debugs in this way; the first lines are enough.
+static void note_output(LabResult *result, const char *printed) {
+    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
+    char text[MAX_TEXT + 64] = "it printed:";
+    const char *end = printed, *ours = strstr(printed, PROTOCOL_PLACE);
+    for (int line = 0; *end && end != ours && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+        end += strcspn(end, "\n");
+        end += *end == '\n' && end != ours;
+    }
+    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
+    check_append(text, sizeof text, "\n%.*s%s", length, printed,
+                 printed[length] && printed + length != ours ? "..." : "");
+    if (length > 0)
+        add_warning(result, text);
+}
+
+// Draws one frame of the student's.
+static DrawResult draw_one(LabResult *result, WorkerClient *student, const Variant *variant, Image *yours,
+                           Reply *reply) {
+    DrawResult drawn = worker_client_draw(student, &variant->request, yours, reply);
     if (drawn == DRAW_OK) {
-        if (reply.message[0])
-            add_warning(result, reply.message);
+        if (reply->message[0])
+            add_warning(result, reply->message);
         if (score_not_finite(yours))
             add_warning(result, score_not_finite(yours));
-        *milliseconds = exam_milliseconds(&reply);
-        return true;
+        return DRAW_OK;
     }
     image_destroy(yours);
-    fail_lab(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply.message);
-    return drawn == DRAW_FAILED;
+    fail_lab(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply->message);
+    return drawn;
+}
+
+// A check in which the worker was lost has no pictures to judge: how it was lost is its cause.
+static void lose_check(CheckResult *check, const char *how) {
+    for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
+        image_destroy(&check->yours[n]);
+    result_clean(check->mistake, sizeof check->mistake, how);
+    check->has_cause = true;
+}
+
+// Draws the frames of check c. False when no more will come: the time is over, or the worker was lost too
+// often.
+static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exam, int c,
+                       float *milliseconds) {
+    static Reply reply;
+    CheckResult *check = &result->checks[c];
+    bool alive = true;
+    for (int n = 0; alive && n < check->check->variants; n++) {
+        const DrawResult drawn = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &reply);
+        alive = drawn == DRAW_OK || drawn == DRAW_FAILED;
+        if (drawn == DRAW_OK)
+            *milliseconds = exam_milliseconds(&reply);
+    }
+    if (alive)
+        return true;
+    lose_check(check, reply.message);
+    note_output(result, student->process.text);
+    return worker_client_restart(student);
 }
 
 // The first frame of a check pays for what the driver compiles late: the last one is compared. What the
@@ -125,14 +167,20 @@ void grade_pictures(LabResult *result, const Exam *exam) {
         result->status = passed ? LAB_PASSED : LAB_FAILED;
 }
 
+bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c) {
+    float milliseconds;
+    draw_check(result, student, exam, c, &milliseconds);
+    score_check(&result->checks[c], exam->variants[c]);
+    return result->checks[c].passed;
+}
+
 void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed) {
     Ratios ratios = {0};
     bool alive = true;
+    student->restarts = 0;
     for (int c = 0; c < result->check_count; c++) {
-        CheckResult *check = &result->checks[c];
         float milliseconds = 0;
-        for (int n = 0; alive && n < check->check->variants; n++)
-            alive = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &milliseconds);
+        alive = alive && draw_check(result, student, exam, c, &milliseconds);
         if (timed)
             add_ratio(&ratios, milliseconds, exam, c);
     }
@@ -173,21 +221,6 @@ static bool take_submission(LabResult *result, WorkerClient *student, const Rubr
     }
     check_clear();
     return ok;
-}
-
-// What the lab prints, for who debugs in this way; the first lines are enough.
-static void note_output(LabResult *result, const char *printed) {
-    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
-    char text[MAX_TEXT + 64] = "it printed:";
-    const char *end = printed;
-    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
-        end += strcspn(end, "\n");
-        end += *end == '\n';
-    }
-    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
-    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
-    if (printed[0])
-        add_warning(result, text);
 }
 
 static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,

@@ -62,8 +62,8 @@ static void set_aside(Progress *progress, const char *path, const char *why) {
     while (files_exists(aside));
     if (rename(path, aside) == 0)
         snprintf(progress->note, sizeof progress->note,
-                 "%.300s was damaged (%.160s); it is kept as %.320s, and the progress starts anew", path, why,
-                 aside);
+                 "%.300s was damaged (%.160s); it is kept as %.320s, and the progress starts again", path,
+                 why, aside);
 }
 
 // The whole file as JSON, freed by the caller; an empty one when there is none or it is damaged. NULL with a

@@ -46,7 +46,7 @@ static void name_single(Submission *submission) {
 bool submission_open(Submission *submission, const char *folder) {
     char path[FILES_PATH];
     *submission = (Submission){0};
-    // The path may hold links: it is the caller's. What lies in the folder is the stranger's.
+    // The path may hold links: it is the caller's. What lies in the folder is what was handed in.
     if (!realpath(folder, submission->folder) || !files_is_folder(submission->folder) ||
         strlen(submission->folder) >= FILES_PATH - 300)
         return check_fail("%s is not a folder", folder);

@@ -1,4 +1,4 @@
-// Opens a stranger's archive.
+// Opens an untrusted archive.
 #pragma once
 
 #include "jail/extract_protocol.h" // the limits

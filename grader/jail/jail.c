@@ -58,7 +58,7 @@ bool jail_start(const Jail *jail, const JailPlan *plan, Process *process, char *
         return process_start(process, arguments, environment, plan->folder, &plan->limits);
     BwrapCommand command;
     ProcessLimits limits = plan->limits;
-    limits.stranger = true;
+    limits.untrusted = true;
     limits.user = jail->user;
     bwrap_command_make(&command, jail, plan, arguments);
     bool ok = lend(jail, plan) && process_start(process, command.arguments, environment,

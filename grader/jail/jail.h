@@ -1,9 +1,9 @@
-// A jail for strangers' code: compilers, workers and unpackers that read or run what a student handed in.
+// A jail for untrusted code: compilers, workers and unpackers that read or run what a student handed in.
 //
 // Two routes lead into it. With bubblewrap the process gets namespaces of its own, in which nothing is
 // mounted but what it needs; without user namespaces Landlock alone keeps it from all other files. On both
 // the shim (inside/shim.c) sets the limits, Landlock and the list of allowed system calls before the
-// stranger's code begins.
+// untrusted code begins.
 #pragma once
 
 #include "jail/plan.h"

@@ -32,7 +32,7 @@ bool jail_create(Jail *jail, JailRoute only) {
     jail_destroy(jail);
     check_clear();
     return check_fail(
-        "no jail holds on this machine (%s). Strangers' code could read the solutions or harm it: "
+        "no jail holds on this machine (%s). Untrusted code could read the solutions or harm it: "
         "install bubblewrap, or grade in a virtual machine. If the submission is your own work, add "
         "--trusted (make grade ARGS=--trusted)",
         why);

@@ -1,4 +1,4 @@
-// Before anything of a stranger's runs, our own attacks do (inside/probe.c).
+// Before anything untrusted runs, our own attacks do (inside/attack.c).
 #pragma once
 
 #include "jail/plan.h"

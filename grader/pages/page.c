@@ -1,21 +1,64 @@
 #include "pages/page.h"
 
 #include "scene/check.h"
-#include "base/files.h"
-#include "base/places.h"
+#include "pages/template.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-enum { MAX_PART = 64 * 1024 };
+static const char shell[] = "grader/pages/shell.html",
+                  script_policy[] = "script-src 'unsafe-inline'; img-src data:";
 
-static bool include(Page *page, const char *name) {
-    char path[FILES_PATH];
-    places_path(path, name);
-    char *text = files_read(path, MAX_PART);
-    if (text)
-        fputs(text, page->out);
-    free(text);
-    return text != NULL;
+static void write_escaped(FILE *out, const char *text) {
+    for (; *text; text++)
+        switch (*text) {
+        case '<':
+            fputs("&lt;", out);
+            break;
+        case '>':
+            fputs("&gt;", out);
+            break;
+        case '&':
+            fputs("&amp;", out);
+            break;
+        case '"':
+            fputs("&quot;", out);
+            break;
+        case '\'':
+            fputs("&#39;", out);
+            break;
+        default:
+            fputc(*text, out);
+        }
+}
+
+bool page_begin_shell(FILE *out, const char *title, const char *style) {
+    Template template;
+    const char *hole;
+    bool ok = template_open(&template, shell);
+    while (ok && (hole = template_next(&template, out)) && strcmp(hole, "content") != 0)
+        if (strcmp(hole, "policy") == 0)
+            fputs(script_policy, out);
+        else if (strcmp(hole, "title") == 0)
+            write_escaped(out, title);
+        else if (strcmp(hole, "style") == 0)
+            ok = template_copy(out, "grader/pages/base.css") && template_copy(out, style);
+        else
+            ok = check_fail("%s: unknown hole {{%s}}; restore the file", shell, hole);
+    template_close(&template);
+    return ok;
+}
+
+bool page_end_shell(FILE *out) {
+    Template template;
+    const char *hole = "";
+    bool ok = template_open(&template, shell);
+    while (ok && hole && strcmp(hole, "content") != 0)
+        hole = template_next(&template, NULL);
+    if (ok)
+        template_next(&template, out);
+    template_close(&template);
+    return ok;
 }
 
 bool page_begin(Page *page, const char *title) {
@@ -23,19 +66,11 @@ bool page_begin(Page *page, const char *title) {
     page->out = open_memstream(&page->text, &page->size);
     if (!page->out)
         return check_fail("out of memory");
-    fputs("<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-          "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src "
-          "'unsafe-inline'; "
-          "script-src 'unsafe-inline'; img-src data:\">\n"
-          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>",
-          page->out);
-    page_text(page, title);
-    fputs("</title>\n<link rel=\"icon\" href=\"data:,\">\n<style>\n", page->out);
-    if (!include(page, "grader/pages/page.css")) {
+    if (!page_begin_shell(page->out, title, "grader/pages/page.css")) {
         free(page_end(page));
         return false;
     }
-    fputs("</style>\n</head>\n<body>\n<main>\n<h1>", page->out);
+    fputs("<main>\n<h1>", page->out);
     page_text(page, title);
     fputs("</h1>\n", page->out);
     return true;
@@ -43,39 +78,49 @@ bool page_begin(Page *page, const char *title) {
 
 char *page_end(Page *page) {
     fputs("</main>\n<script>\n", page->out);
-    bool ok = include(page, "grader/pages/page.js");
-    fputs("</script>\n</body>\n</html>\n", page->out);
-    ok = fclose(page->out) == 0 && ok;
+    bool ok = template_copy(page->out, "grader/pages/page.js");
+    fputs("</script>\n", page->out);
+    ok = page_end_shell(page->out) && ok;
+    ok = (fclose(page->out) == 0 || check_fail("out of memory")) && ok;
     char *text = page->text;
     *page = (Page){0};
     if (ok)
         return text;
     free(text);
-    check_fail("out of memory");
     return NULL;
 }
 
 void page_text(Page *page, const char *text) {
-    for (; *text; text++)
-        switch (*text) {
-        case '<':
-            fputs("&lt;", page->out);
-            break;
-        case '>':
-            fputs("&gt;", page->out);
-            break;
-        case '&':
-            fputs("&amp;", page->out);
-            break;
-        case '"':
-            fputs("&quot;", page->out);
-            break;
-        case '\'':
-            fputs("&#39;", page->out);
-            break;
-        default:
-            fputc(*text, page->out);
-        }
+    write_escaped(page->out, text);
+}
+
+static void write_head(Page *page, const char *head) {
+    bool number = head[0] == '#';
+    fputs(number    ? "<th scope=\"col\" class=\"number\">"
+          : head[0] ? "<th scope=\"col\">"
+                    : "<td>",
+          page->out);
+    page_text(page, head + number);
+    fputs(head[0] ? "</th>" : "</td>", page->out);
+}
+
+void page_begin_table(Page *page, const char *label, const char *const *heads) {
+    fputs("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"", page->out);
+    page_text(page, label);
+    fputs("\"><table><thead><tr>", page->out);
+    for (; *heads; heads++)
+        write_head(page, *heads);
+    fputs("</tr></thead><tbody>\n", page->out);
+}
+
+void page_end_table(Page *page) {
+    fputs("</tbody></table></div>\n", page->out);
+}
+
+void page_cell(Page *page, const char *text) {
+    fputs("<td>", page->out);
+    page_text(page, text);
+    fputs("</td>", page->out);
 }
 
 void page_base64(FILE *out, const uint8_t *bytes, size_t size) {

@@ -14,7 +14,14 @@ typedef struct Page {
     size_t size;
 } Page;
 
-// Begins the page up to <main>, with the style of page.css. False with a message.
+// Writes shell.html up to its content: the title, escaped, and the style of base.css and of the file `style`
+// of the project ("grader/pages/page.css"). False with a message.
+bool page_begin_shell(FILE *out, const char *title, const char *style);
+
+// Writes what comes behind the content. False with a message.
+bool page_end_shell(FILE *out);
+
+// Begins a page up to its heading, with the style of page.css. False with a message.
 bool page_begin(Page *page, const char *title);
 
 // Ends the page with the script of page.js; the caller frees the text. NULL with a message.
@@ -22,6 +29,15 @@ char *page_end(Page *page);
 
 // Writes text, escaped for element content and for attributes in double quotes.
 void page_text(Page *page, const char *text);
+
+// Begins a table that can be scrolled by itself on a narrow screen. `label` says what it holds; `heads` are
+// the columns' heads, NULL after the last: with a '#' before it, that of a column of numbers; "": of none.
+// Rows follow, then page_end_table.
+void page_begin_table(Page *page, const char *label, const char *const *heads);
+void page_end_table(Page *page);
+
+// Writes a cell of text.
+void page_cell(Page *page, const char *text);
 
 // Writes a data: URI with the bytes; `type` is "image/png".
 void page_data(Page *page, const char *type, const void *bytes, size_t size);

@@ -15,11 +15,11 @@
 
 enum { WIDTH = 640, HEIGHT = 480, MAX_RUNS = 15, SPHERES = 10 };
 
-typedef struct Case {
+typedef struct TimedQuery {
     const char *name;
     TruthQuery query;
     int runs, rays;
-} Case;
+} TimedQuery;
 
 static void add(Scene *scene, Shape shape, vec3s center, vec3s half_size) {
     scene->objects[scene->object_count++] = (Object){
@@ -61,20 +61,20 @@ static double mean_lit(const TruthPicture *picture, const float *visibility) {
     return sum / (double)(count ? count : 1);
 }
 
-typedef enum Way { WAY_PACKETS, WAY_SINGLY, WAY_PIXELS, WAY_COUNT } Way;
+typedef enum RayOrder { RAYS_PACKETS, RAYS_SINGLY, RAYS_PIXELS, RAYS_COUNT } RayOrder;
 
-static const char *const WAYS[] = {"packets", "singly", "pixels"};
+static const char *const ray_orders[] = {"packets", "singly", "pixels"};
 
 typedef struct Times {
     double wall[MAX_RUNS], cpu[MAX_RUNS], mean; // milliseconds, mean visibility
 } Times;
 
-static bool time_run(const Truth *truth, const TruthPicture *picture, TruthQuery query, Way way,
+static bool time_run(const Truth *truth, const TruthPicture *picture, TruthQuery query, RayOrder order,
                      float *visibility, Times *times, int run) {
     double start = process_now(), start_cpu = cpu_milliseconds();
     bool ok = true;
-    query.one_by_one = way == WAY_SINGLY;
-    if (way == WAY_PIXELS)
+    query.one_by_one = order == RAYS_SINGLY;
+    if (order == RAYS_PIXELS)
         truth_trace_plainly(truth, picture, &query, visibility);
     else
         ok = truth_trace(truth, picture, &query, visibility);
@@ -84,23 +84,24 @@ static bool time_run(const Truth *truth, const TruthPicture *picture, TruthQuery
     return ok;
 }
 
-static void print_line(const char *name, const char *way, Times *times, int runs, int rays) {
+static void print_line(const char *name, const char *order, Times *times, int runs, int rays) {
     double wall = statistics_median(times->wall, (size_t)runs),
            cpu = statistics_median(times->cpu, (size_t)runs);
-    printf("%-26s %-8s %9.1f %9.1f %9.1f", name, way, wall, cpu, rays / cpu * WIDTH * HEIGHT / 1e3);
+    printf("%-26s %-8s %9.1f %9.1f %9.1f", name, order, wall, cpu, rays / cpu * WIDTH * HEIGHT / 1e3);
     if (!isnan(times->mean))
         printf("   %.6f", times->mean);
     printf("\n");
 }
 
-static bool time_case(const Truth *truth, const TruthPicture *picture, const Case *timed, float *visibility) {
-    Times times[WAY_COUNT];
+static bool time_query(const Truth *truth, const TruthPicture *picture, const TimedQuery *timed,
+                       float *visibility) {
+    Times times[RAYS_COUNT];
     for (int run = 0; run < timed->runs; run++)
-        for (int way = 0; way < WAY_COUNT; way++)
-            if (!time_run(truth, picture, timed->query, (Way)way, visibility, &times[way], run))
+        for (int order = 0; order < RAYS_COUNT; order++)
+            if (!time_run(truth, picture, timed->query, (RayOrder)order, visibility, &times[order], run))
                 return false;
-    for (int way = 0; way < WAY_COUNT; way++)
-        print_line(way == 0 ? timed->name : "", WAYS[way], &times[way], timed->runs, timed->rays);
+    for (int order = 0; order < RAYS_COUNT; order++)
+        print_line(order == 0 ? timed->name : "", ray_orders[order], &times[order], timed->runs, timed->rays);
     return true;
 }
 
@@ -117,7 +118,7 @@ static void time_look(const Truth *truth, TruthPicture *picture) {
 
 static bool bench(void) {
     const TruthArea light = {{{3, 7, 3}}, {{0.5f, 0, 0}}, {{0, 0, 0.5f}}};
-    const Case cases[] = {
+    const TimedQuery queries[] = {
         {"hard shadow", {.kind = TRUTH_LIGHT}, MAX_RUNS, 1},
         {"area light, 256 samples", {.kind = TRUTH_DISC, .area = light, .samples = 256, .seed = 1}, 3, 256},
         {"ambient occlusion, 512", {.kind = TRUTH_OCCLUSION, .samples = 512, .seed = 1}, 3, 512},
@@ -133,8 +134,8 @@ static bool bench(void) {
         printf("%-35s %9s %9s %9s   %s\n", "", "wall", "cpu", "Mray/s", "mean lit");
         time_look(&truth, &picture);
     }
-    for (size_t i = 0; ok && i < COUNT(cases); i++)
-        ok = time_case(&truth, &picture, &cases[i], visibility);
+    for (size_t i = 0; ok && i < COUNT(queries); i++)
+        ok = time_query(&truth, &picture, &queries[i], visibility);
     truth_picture_destroy(&picture);
     truth_destroy(&truth);
     free(visibility);

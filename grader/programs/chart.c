@@ -4,7 +4,7 @@
 #include "base/places.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
-#include "study/chart.h"
+#include "study/chart_svg.h"
 #include "study/csv.h"
 #include "study/chart_options.h"
 #include "study/chart_page.h"
@@ -40,7 +40,7 @@ static bool end_file(GrowingFile *file) {
 }
 
 // The same setting of ours, which every one of a submission has.
-static int ours_of(const Findings *findings, int submitted) {
+static int ours_of(const SceneFindings *findings, int submitted) {
     const Method *wanted = &findings->findings[submitted].method;
     int i = 0;
     while (strcmp(findings->findings[i].method.family, wanted->family) != 0 ||
@@ -49,7 +49,7 @@ static int ours_of(const Findings *findings, int submitted) {
     return i;
 }
 
-static void report_submission(const Findings *findings, int i) {
+static void report_submission(const SceneFindings *findings, int i) {
     const Finding *finding = &findings->findings[i];
     int ours = ours_of(findings, i);
     printf("  yours, %s, %s: ", finding->method.family, finding->method.name);
@@ -60,7 +60,7 @@ static void report_submission(const Findings *findings, int i) {
         printf("not drawn: %s\n", finding->message);
 }
 
-static void report(const Findings *findings, FILE *needs) {
+static void report(const SceneFindings *findings, FILE *needs) {
     char need[512];
     findings_tell(findings, need, sizeof need);
     printf("%s: %s\n", findings->scene->name, need);
@@ -71,8 +71,8 @@ static void report(const Findings *findings, FILE *needs) {
     fflush(stdout);
 }
 
-static bool study_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
-    static Findings findings;
+static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
+    static SceneFindings findings;
     if (!measure_scene(plan, scene, &findings) || !chart_draw(&findings, plan->output))
         return false;
     csv_write(output->csv.out, &findings);
@@ -98,8 +98,8 @@ static bool study(const ChartOptions *options, StudyPlan *plan) {
     if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
     csv_head(output.csv.out);
-    for (const StudyScene *scene = study_scenes; scene->name; scene++)
-        if (chart_options_want(options, scene) && !study_scene(plan, scene, &output))
+    for (int i = 0; study_scene(i); i++)
+        if (chart_options_want(options, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
     if (output.scenes == 0)
         return check_fail("no scene of the study has settings of lab %s", options->lab);
@@ -112,7 +112,7 @@ static bool study(const ChartOptions *options, StudyPlan *plan) {
     return ok;
 }
 
-// Strangers' code is compiled and run in a jail.
+// Untrusted code is compiled and run in a jail.
 static bool choose_jail(const ChartOptions *options, StudyPlan *plan, Jail *jail) {
     if (!options->submission || options->trusted)
         return true;

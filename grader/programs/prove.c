@@ -19,18 +19,18 @@ enum { MAX_SEEDS = 100 };
 
 typedef enum Kind { KIND_SOLUTION, KIND_SKELETON, KIND_PARTIAL, KIND_MISTAKE, KIND_ALTERNATIVE } Kind;
 
-typedef struct Row {
+typedef struct ProofRow {
     Kind kind;
     int number; // of the task or of the mistake in the rubric
     Solved solved;
     const Change *change;
-    const struct Row *before; // of a partial solution: the one with a task less
-    double percent;           // of the last run
-    double lowest, highest;   // percent
-    int right, seeds;         // runs graded as they should be
-    WorkerClient contender;   // a worker of its own, kept over the seeds
-    char other[128];          // a diagnosis that was not the mistake's name, or a check that went wrong
-} Row;
+    const struct ProofRow *before; // of a partial solution: the one with a task less
+    double percent;                // of the last run
+    double lowest, highest;        // percent
+    int right, seeds;              // runs graded as they should be
+    WorkerClient contender;        // a worker of its own, kept over the seeds
+    char other[128];               // a diagnosis that was not the mistake's name, or a check that went wrong
+} ProofRow;
 
 typedef struct Proof {
     int seeds, passed, failed;
@@ -38,13 +38,13 @@ typedef struct Proof {
     bool broken; // a fault of ours
 } Proof;
 
-static void note(Row *row, const char *text) {
+static void note(ProofRow *row, const char *text) {
     if (!row->other[0])
         snprintf(row->other, sizeof row->other, "%.120s", text);
 }
 
 // Is the mistake named in a failed check, first of what it may be, and nothing else in any?
-static bool named_right(const LabResult *result, Row *row) {
+static bool named_right(const LabResult *result, ProofRow *row) {
     bool named = false;
     for (int c = 0; c < result->check_count; c++) {
         const CheckResult *check = &result->checks[c];
@@ -59,7 +59,7 @@ static bool named_right(const LabResult *result, Row *row) {
     return named;
 }
 
-static bool all_zero(const LabResult *result, Row *row) {
+static bool all_zero(const LabResult *result, ProofRow *row) {
     for (int c = 0; c < result->check_count; c++)
         if (result->checks[c].share > 0) {
             note(row, result->checks[c].check->name);
@@ -68,7 +68,7 @@ static bool all_zero(const LabResult *result, Row *row) {
     return true;
 }
 
-static bool all_full(const LabResult *result, Row *row) {
+static bool all_full(const LabResult *result, ProofRow *row) {
     for (int c = 0; c < result->check_count; c++)
         if (result->checks[c].share < 1) {
             note(row, result->checks[c].check->name);
@@ -79,7 +79,7 @@ static bool all_full(const LabResult *result, Row *row) {
     return !result->message[0] && !result->warnings[0];
 }
 
-static bool judge(const LabResult *result, Row *row, const Rubric *rubric) {
+static bool judge(const LabResult *result, ProofRow *row, const Rubric *rubric) {
     switch (row->kind) {
     case KIND_SKELETON:
         return all_zero(result, row);
@@ -92,7 +92,7 @@ static bool judge(const LabResult *result, Row *row, const Rubric *rubric) {
     }
 }
 
-static const Image *ours(const Row *row, Exam *exam, int c, int n) {
+static const Image *ours(const ProofRow *row, Exam *exam, int c, int n) {
     const Variant *variant = &exam->variants[c][n];
     if (row->kind == KIND_SKELETON)
         return &variant->skeleton;
@@ -106,7 +106,7 @@ static const Image *ours(const Row *row, Exam *exam, int c, int n) {
 
 // Skeletons, partial solutions and mistakes are drawn for the diagnosis, too. Those frames are taken as the
 // row's. False when one of them was not drawn: then the row's own worker has to say why.
-static bool share_frames(LabResult *result, const Row *row, Exam *exam) {
+static bool share_frames(LabResult *result, const ProofRow *row, Exam *exam) {
     if (row->kind != KIND_SKELETON && row->kind != KIND_PARTIAL && row->kind != KIND_MISTAKE)
         return false;
     for (int c = 0; c < result->check_count; c++)
@@ -120,7 +120,7 @@ static bool share_frames(LabResult *result, const Row *row, Exam *exam) {
 
 // A worker that draws for one lab only and compiles its shaders well, and the one that draws for all of ours
 // must show the same.
-static bool draws_the_same(const LabResult *result, Row *row, Exam *exam) {
+static bool draws_the_same(const LabResult *result, ProofRow *row, Exam *exam) {
     static LabResult shared;
     grade_begin(&shared, exam->rubric);
     bool same = true;
@@ -136,7 +136,7 @@ static bool draws_the_same(const LabResult *result, Row *row, Exam *exam) {
     return same;
 }
 
-static void draw_row(LabResult *result, Row *row, const Painter *painter, Exam *exam) {
+static void draw_row(LabResult *result, ProofRow *row, const Painter *painter, Exam *exam) {
     row->contender.trust = TRUST_OURS;
     row->contender.context = exam->painters->context;
     memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
@@ -146,10 +146,10 @@ static void draw_row(LabResult *result, Row *row, const Painter *painter, Exam *
 
 // Most mistakes are named by their pictures alone, as in the student's kit. Where they draw nothing, only the
 // part with the fault can tell.
-static bool name_causes(LabResult *result, Row *row, Exam *exam) {
+static bool name_causes(LabResult *result, ProofRow *row, Exam *exam) {
     if (!diagnose(result, exam, &row->contender, false))
         return false;
-    const Row before = *row;
+    const ProofRow before = *row;
     if (row->kind != KIND_MISTAKE || named_right(result, row))
         return true;
     memcpy(row->other, before.other, sizeof row->other);
@@ -158,7 +158,7 @@ static bool name_causes(LabResult *result, Row *row, Exam *exam) {
 
 // Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from
 // the second seed on.
-static bool run_row(Row *row, Exam *exam, Painters *painters) {
+static bool run_row(ProofRow *row, Exam *exam, Painters *painters) {
     static LabResult result;
     const Painter *painter = painters_get(painters, row->solved, row->change);
     if (!painter)
@@ -186,35 +186,35 @@ static bool run_row(Row *row, Exam *exam, Painters *painters) {
 }
 
 // One row a task that a check is about, solved up to it.
-static int list_partials(Row *rows, int count, const Rubric *rubric) {
+static int list_partials(ProofRow *rows, int count, const Rubric *rubric) {
     for (int n = 1; n < 20; n++) {
         const char *task = rubric_task(rubric, n);
         if (task)
-            rows[count] = (Row){.kind = KIND_PARTIAL,
-                                .solved = {SOLVED_UP_TO, task},
-                                .number = n,
-                                .before = &rows[count - 1]};
+            rows[count] = (ProofRow){.kind = KIND_PARTIAL,
+                                     .solved = {SOLVED_UP_TO, task},
+                                     .number = n,
+                                     .before = &rows[count - 1]};
         count += task != NULL;
     }
     return count;
 }
 
-static int list_rows(Row *rows, const Rubric *rubric) {
+static int list_rows(ProofRow *rows, const Rubric *rubric) {
     int count = 0;
-    rows[count++] = (Row){.kind = KIND_SOLUTION};
-    rows[count++] = (Row){.kind = KIND_SKELETON, .solved = {SOLVED_NONE, NULL}};
+    rows[count++] = (ProofRow){.kind = KIND_SOLUTION};
+    rows[count++] = (ProofRow){.kind = KIND_SKELETON, .solved = {SOLVED_NONE, NULL}};
     count = list_partials(rows, count, rubric);
     for (int i = 0; i < rubric->mistake_count; i++)
-        rows[count++] = (Row){.kind = KIND_MISTAKE, .change = &rubric->mistakes[i], .number = i};
+        rows[count++] = (ProofRow){.kind = KIND_MISTAKE, .change = &rubric->mistakes[i], .number = i};
     for (int i = 0; i < rubric->alternative_count; i++)
-        rows[count++] = (Row){.kind = KIND_ALTERNATIVE, .change = &rubric->alternatives[i]};
+        rows[count++] = (ProofRow){.kind = KIND_ALTERNATIVE, .change = &rubric->alternatives[i]};
     return count;
 }
 
-static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof) {
+static void print_rows(ProofRow *rows, int count, const Rubric *rubric, Proof *proof) {
     static const char *const kinds[] = {"solution", "skeleton", "up to", "mistake", "alternative"};
     for (int i = 0; i < count; i++) {
-        const Row *row = &rows[i];
+        const ProofRow *row = &rows[i];
         bool right = row->seeds == proof->seeds && row->right == row->seeds;
         proof->passed += right;
         proof->failed += !right;
@@ -233,7 +233,7 @@ static void print_rows(Row *rows, int count, const Rubric *rubric, Proof *proof)
     }
 }
 
-static bool prove_seeds(const Rubric *rubric, Proof *proof, Row *rows, int count, Painters *painters) {
+static bool prove_seeds(const Rubric *rubric, Proof *proof, ProofRow *rows, int count, Painters *painters) {
     Exam *exam = calloc(1, sizeof *exam);
     bool ok = exam != NULL;
     for (int seed = 1; ok && seed <= proof->seeds; seed++) {
@@ -249,7 +249,7 @@ static bool prove_seeds(const Rubric *rubric, Proof *proof, Row *rows, int count
 
 static void prove_lab(const char *id, void *context) {
     Proof *proof = context;
-    static Row rows[128];
+    static ProofRow rows[128];
     char folder[FILES_PATH];
     Rubric rubric = {0};
     if (proof->broken)

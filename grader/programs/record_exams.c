@@ -1,5 +1,5 @@
-// record [--lab NN] OUTPUT SEED...: records the exams of all labs (or one) for these seeds, for the student's
-// kit (see recorded.h): what is drawn, the rubrics, the hints, and the mistakes' names and hints, but nothing
+// record_exams [--lab NN] OUTPUT SEED...: records the exams of all labs (or one) for these seeds, for the student's
+// kit (see exam/exam_file.h): what is drawn, the rubrics, the hints, and the mistakes' names and hints, but nothing
 // of how they are made.
 #include "scene/check.h"
 #include "exam/lab_exam.h"
@@ -99,6 +99,6 @@ int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
     bool ok = record_all(one ? arguments[2] : NULL, arguments[first], arguments + first + 1);
     if (!ok)
-        fprintf(stderr, "record: %s\n", check_message());
+        fprintf(stderr, "record_exams: %s\n", check_message());
     return ok ? 0 : 1;
 }

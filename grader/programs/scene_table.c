@@ -9,10 +9,10 @@
 
 enum { SEEDS = 4 };
 
-typedef struct Table {
+typedef struct SceneTable {
     WorkerClient worker; // draws all labs
     bool broken;
-} Table;
+} SceneTable;
 
 static void print_row(const char *id, const SceneNeeds *economy) {
     char text[ECONOMY_TEXT];
@@ -21,7 +21,7 @@ static void print_row(const char *id, const SceneNeeds *economy) {
 }
 
 static void print_lab(const char *id, void *context) {
-    Table *table = context;
+    SceneTable *table = context;
     static SceneNeeds economies[ECONOMY_MAX_SCENES];
     char folder[FILES_PATH];
     Rubric rubric = {0};
@@ -35,7 +35,7 @@ static void print_lab(const char *id, void *context) {
 }
 
 int main(int count, char **arguments) {
-    Table table = {0};
+    SceneTable table = {0};
     signal(SIGPIPE, SIG_IGN);
     if (count != 1) {
         fprintf(stderr, "usage: %s\n", arguments[0]);

@@ -1,6 +1,6 @@
 // skeletons OUTPUT [TASK]: writes the labs for students, made from solutions/: each source with every task
-// left to do (or solved up to TASK, "3.5"), the handout and its pictures, and nothing else. What is unchanged
-// is not rewritten.
+// left to do (or solved up to TASK, "3.5"), the handout and its pictures, and nothing else: sources that the
+// rubric does not list are the grader's. What is unchanged is not rewritten.
 #include "scene/check.h"
 #include "compile/lab_folder.h"
 #include "base/places.h"
@@ -14,6 +14,7 @@ enum { MAX_OTHER = 4 << 20 }; // bytes of a picture or a handout
 typedef struct SkeletonWriter {
     const char *output;
     Solved solved;
+    Rubric rubric; // of the lab that is being written
     char from[FILES_PATH], to[FILES_PATH];
     bool ok;
 } SkeletonWriter;
@@ -37,6 +38,13 @@ static bool write_copy(const char *from, const char *to, Solved solved, bool sou
     return ok;
 }
 
+static bool is_students(const Rubric *rubric, const char *name) {
+    for (int i = 0; i < rubric->file_count; i++)
+        if (strcmp(rubric->files[i], name) == 0)
+            return true;
+    return false;
+}
+
 static void write_file(const char *name, void *context) {
     SkeletonWriter *writer = context;
     char from[FILES_PATH], to[FILES_PATH];
@@ -46,7 +54,8 @@ static void write_file(const char *name, void *context) {
     files_join(to, writer->to, name);
     bool source = ends_with(name, ".c") || ends_with(name, ".h") || ends_with(name, ".vert") ||
                   ends_with(name, ".frag") || ends_with(name, ".geom") || ends_with(name, ".glsl");
-    writer->ok = write_copy(from, to, writer->solved, source);
+    if (!source || is_students(&writer->rubric, name))
+        writer->ok = write_copy(from, to, writer->solved, source);
 }
 
 static void write_lab(const char *id, void *context) {
@@ -56,7 +65,9 @@ static void write_lab(const char *id, void *context) {
         return;
     files_join(writer->to, writer->output, strrchr(writer->from, '/') + 1);
     snprintf(folder, sizeof folder, "%.4000s/", writer->to);
-    writer->ok = files_make_folder(folder) && files_list(writer->from, write_file, writer);
+    writer->ok = rubric_load(&writer->rubric, writer->from) && files_make_folder(folder) &&
+                 files_list(writer->from, write_file, writer);
+    rubric_destroy(&writer->rubric);
 }
 
 int main(int count, char **arguments) {

@@ -19,18 +19,24 @@ static const char usage[] =
     "  --mistake NN:NAME  lab NN is drawn with a mistake of its mistakes.json\n";
 
 typedef struct Options {
-    bool rows[ROW_COUNT + 1];
+    const Row *rows[ROW_MOST]; // all, in order
+    bool chosen[ROW_MOST];
+    int row_count;
     char output[FILES_PATH];
     LabSet labs;
 } Options;
 
 static bool take_row(Options *options, const char *text) {
-    char *end;
+    char numbers[1024] = "", *end;
     long number = strtol(text, &end, 10);
-    if (end == text || *end || !row_find((int)number))
-        return check_fail("--row takes the number of a row, 1 to %d, not \"%s\"", ROW_COUNT, text);
-    options->rows[number] = true;
-    return true;
+    bool found = false;
+    for (int i = 0; i < options->row_count; i++) {
+        bool this_one = end != text && !*end && options->rows[i]->number == number;
+        options->chosen[i] = options->chosen[i] || this_one;
+        found = found || this_one;
+        check_append(numbers, sizeof numbers, "%s%d", i ? ", " : "", options->rows[i]->number);
+    }
+    return found || check_fail("--row takes the number of a row, not \"%s\"; the rows are %s", text, numbers);
 }
 
 static bool take_mistake(Options *options, char *text) {
@@ -63,13 +69,13 @@ static bool parse(Options *options, int count, char **arguments) {
                                           {"mistake", required_argument, NULL, 'm'},
                                           {0}};
     places_build_path(options->output, "study");
+    options->row_count = row_list(options->rows);
     opterr = 0;
     for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;)
         if (!take_option(options, option, optarg))
             return false;
-    bool all = memchr(options->rows, true, sizeof options->rows) == NULL;
-    for (int i = 1; all && i <= ROW_COUNT; i++)
-        options->rows[i] = true;
+    if (memchr(options->chosen, true, sizeof options->chosen) == NULL)
+        memset(options->chosen, true, sizeof options->chosen);
     return optind == count || check_fail("\"%s\" is not an option", arguments[optind]);
 }
 
@@ -111,9 +117,9 @@ static bool write_page(const RowResult *results, int count, const char *folder) 
 static int run_rows(Options *options, RowResult *results, int *failed) {
     int count = 0;
     *failed = 0;
-    for (int i = 1; i <= ROW_COUNT; i++)
-        if (options->rows[i] && row_find(i)) {
-            row_run(&results[count], row_find(i), &options->labs);
+    for (int i = 0; i < options->row_count; i++)
+        if (options->chosen[i]) {
+            row_run(&results[count], options->rows[i], &options->labs);
             print_line(&results[count]);
             *failed += results[count++].status == ROW_FAIL;
         }
@@ -122,7 +128,7 @@ static int run_rows(Options *options, RowResult *results, int *failed) {
 }
 
 static int run(Options *options) {
-    static RowResult results[ROW_COUNT];
+    static RowResult results[ROW_MOST];
     int failed, count = run_rows(options, results, &failed);
     const char *folder = options->output;
     check_clear();

@@ -96,7 +96,7 @@ static bool is_at_split(double x) {
 
 // The pointer says that the split can be taken.
 static void show_pointer(bool at_split) {
-    static GLFWcursor *sideways; // freed by glfwTerminate
+    static GLFWcursor *sideways; // made at the first call, freed by glfwTerminate
     if (!sideways)
         sideways = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
     glfwSetCursor(view.window.handle, at_split ? sideways : NULL);

@@ -27,7 +27,8 @@ const char *scene_needs_excuse(const char *scene, int object) {
 
 static int shape_triangles(Shape shape) {
     Mesh mesh;
-    INVARIANT(mesh_create(&mesh, shape));
+    bool created = mesh_create(&mesh, shape);
+    INVARIANT(created);
     int triangles = mesh.index_count / 3;
     mesh_destroy(&mesh);
     return triangles;

@@ -17,6 +17,10 @@ enum {
     PROTOCOL_LINE = 128
 };
 
+// With this the worker says on standard error, before it dies by a signal, in which pass that is; the lab's
+// own words may come before it.
+#define PROTOCOL_PLACE "\nworker: in "
+
 // Views that are not a stage of the lab.
 #define VIEW_PICTURE "picture"       // the frame as its viewer sees it
 #define VIEW_VISIBILITY "visibility" // lit white, shadow black, whatever the colours
@@ -32,7 +36,7 @@ typedef struct Request {
     uint32_t magic;
     int32_t width, height;
     int32_t
-        fresh; // 1: the lab makes its resources anew, so that the frame does not depend on those before it
+        fresh; // 1: the lab makes its resources again, so that the frame does not depend on those before it
     int32_t describe; // 1: a Description instead of a frame; what follows but `folder` does not matter
     char folder[PROTOCOL_PATH]; // of the lab, for a worker that was not given one
     char view[LAB_MAX_NAME];    // a view above or the name of a stage
@@ -56,8 +60,11 @@ typedef struct Description {
     char title[PROTOCOL_LINE];
     struct KnobText {
         char name[LAB_MAX_NAME], unit[PROTOCOL_LINE];
-        float low, high, value; // value: the default
+        float low, high, value;                      // value: the default
+        char choices[LAB_MAX_CHOICES][LAB_MAX_NAME]; // of the values 0, 1, ..., choice_count - 1
+        int32_t choice_count;
     } knobs[LAB_MAX_KNOBS];
     char passes[LAB_MAX_PASSES][LAB_MAX_NAME], stages[LAB_MAX_STAGES][LAB_MAX_NAME];
+    int32_t pass_kinds[LAB_MAX_PASSES]; // PassKind
     int32_t knob_count, pass_count, stage_count;
 } Description;

@@ -1,7 +1,6 @@
 #include "report/report.h"
 
 #include "pages/page.h"
-#include "score/score.h"
 
 #include <string.h>
 
@@ -14,7 +13,7 @@ static void write_check(Page *page, const CheckResult *check) {
             check->passed ? "passed" : "failed", check->check->task);
     page_text(page, check->check->name);
     fprintf(page->out, "%s</td><td class=\"number\">%.2f of %d</td><td>",
-            check->check->optional ? " <span class=\"faint\">(optional)</span>" : "", result_points(check),
+            check->check->optional ? " <span class=\"quiet\">(optional)</span>" : "", result_points(check),
             check->check->points);
     if (check->has_cause) {
         fputs("<strong>", page->out);
@@ -27,42 +26,28 @@ static void write_check(Page *page, const CheckResult *check) {
 }
 
 static void write_checks(Page *page, const LabResult *lab) {
-    fprintf(
-        page->out,
-        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Checks of lab "
-        "%s\"><table><thead><tr><th "
-        "scope=\"col\">result</th><th scope=\"col\">task</th><th scope=\"col\">check</th><th scope=\"col\" "
-        "class=\"number\">points</th><th scope=\"col\">what is wrong</th></tr></thead><tbody>\n",
-        lab->id);
+    char label[40];
+    snprintf(label, sizeof label, "Checks of lab %s", lab->id);
+    page_begin_table(page, label,
+                     (const char *const[]){"result", "task", "check", "#points", "what is wrong", NULL});
     for (int c = 0; c < lab->check_count; c++)
         write_check(page, &lab->checks[c]);
-    fputs("</tbody></table></div>\n", page->out);
+    page_end_table(page);
 }
 
-typedef struct Wrong {
-    size_t brighter, darker, other, pixels;
-} Wrong;
-
-static Wrong count_wrong(const Image *yours, const Image *reference) {
-    Wrong wrong = {.pixels = image_bytes(yours) / 4};
-    for (size_t at = 0; at < image_bytes(yours); at += 4) {
-        const uint8_t *a = yours->rgba + at, *b = reference->rgba + at;
-        int change = a[0] + a[1] + a[2] - b[0] - b[1] - b[2];
-        if (score_pixel(yours, reference, at) > 0)
-            (*(change > 6 ? &wrong.brighter : change < -6 ? &wrong.darker : &wrong.other))++;
-    }
-    return wrong;
+static void write_key(Page *page, int color) {
+    fprintf(page->out, "<span class=\"key\" style=\"background:#%06x\"></span> ", (unsigned)color);
 }
 
 static void write_caption(Page *page, const CheckResult *check) {
-    Wrong wrong = count_wrong(&check->evidence[EVIDENCE_YOURS], &check->evidence[EVIDENCE_REFERENCE]);
-    fprintf(
-        page->out,
-        "<figcaption>Of %zu pixels <span class=\"key\" style=\"background:#ffd020\"></span> %zu are too "
-        "bright "
-        "(yellow), <span class=\"key\" style=\"background:#3070ff\"></span> %zu too dark (blue), <span "
-        "class=\"key\" style=\"background:#ff30ff\"></span> %zu of another colour (magenta).</figcaption>\n",
-        wrong.pixels, wrong.brighter, wrong.darker, wrong.other);
+    const Difference *wrong = &check->difference;
+    fprintf(page->out, "<figcaption>Of %zu pixels ", image_bytes(&check->evidence[EVIDENCE_YOURS]) / 4);
+    write_key(page, DIFFERENCE_BRIGHTER);
+    fprintf(page->out, "%zu are too bright (yellow), ", wrong->brighter);
+    write_key(page, DIFFERENCE_DARKER);
+    fprintf(page->out, "%zu too dark (blue), ", wrong->darker);
+    write_key(page, DIFFERENCE_OTHER);
+    fprintf(page->out, "%zu of another colour (magenta).</figcaption>\n", wrong->other);
 }
 
 static void write_evidence(Page *page, const LabResult *lab, int c) {
@@ -81,10 +66,10 @@ static void write_evidence(Page *page, const LabResult *lab, int c) {
         "the line: yours</span><span>right: reference</span></div></div>\n<div>",
         check->check->task);
     page_picture(page, &parts[EVIDENCE_DIFFERENCE], "difference", "difference");
-    fputs("<span class=\"faint\">difference</span></div>\n<div>", page->out);
+    fputs("<span class=\"quiet\">difference</span></div>\n<div>", page->out);
     page_picture(page, &parts[EVIDENCE_CROP], "crop",
                  "yours, reference and difference side by side, enlarged where most is wrong");
-    fputs("<span class=\"faint\">enlarged where most is wrong: yours, reference, difference</span></div>\n",
+    fputs("<span class=\"quiet\">enlarged where most is wrong: yours, reference, difference</span></div>\n",
           page->out);
     write_caption(page, check);
     fputs("</figure>\n", page->out);
@@ -122,7 +107,7 @@ char *report_html(const Report *report, const char *name) {
     Page page;
     if (!page_begin(&page, name[0] ? name : "Shadow Lab"))
         return NULL;
-    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"faint\">(seed %llu, %s", result_score(report),
+    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"quiet\">(seed %llu, %s", result_score(report),
             result_max_score(report), (unsigned long long)report->seed, report->context);
     fputs(report->renderer[0] ? ", " : "", page.out);
     page_text(&page, report->renderer);

@@ -25,7 +25,8 @@ bool report_print(const Report *report, ReportFormat format, FILE *out);
 // One line a check, a bar a lab; with the colours of a terminal when `color`.
 void report_text(const Report *report, FILE *out, bool color);
 
-// The JSON of grader/report/schema.json, to be freed by the caller (json_decref); NULL when out of memory.
+// The JSON of grader/report/report.schema.json, to be freed by the caller (json_decref); NULL when out of
+// memory.
 json_t *report_json(const Report *report);
 
 // The results.json of a Gradescope autograder (report/gradescope.schema.json); freed by the caller.

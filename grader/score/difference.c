@@ -6,21 +6,24 @@
 
 enum { COLOR_ONLY = 6 }; // of the sum of three channels: a change of brightness is larger
 
-static const uint8_t brighter[3] = {255, 208, 32}, darker[3] = {48, 112, 255}, other[3] = {255, 48, 255};
-
 static int brightness(const uint8_t *pixel) {
     return pixel[0] + pixel[1] + pixel[2];
 }
 
+static void paint(uint8_t *to, int color) {
+    for (int i = 0; i < 3; i++)
+        to[i] = (uint8_t)(color >> (16 - 8 * i));
+}
+
 static void mark_pixel(uint8_t *to, int change, Difference *difference) {
     if (change > COLOR_ONLY) {
-        memcpy(to, brighter, 3);
+        paint(to, DIFFERENCE_BRIGHTER);
         difference->brighter++;
     } else if (change < -COLOR_ONLY) {
-        memcpy(to, darker, 3);
+        paint(to, DIFFERENCE_DARKER);
         difference->darker++;
     } else {
-        memcpy(to, other, 3);
+        paint(to, DIFFERENCE_OTHER);
         difference->other++;
     }
 }

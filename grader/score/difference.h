@@ -4,6 +4,9 @@
 
 #include "scene/image.h"
 
+// The colours, 0xrrggbb.
+enum { DIFFERENCE_BRIGHTER = 0xffd020, DIFFERENCE_DARKER = 0x3070ff, DIFFERENCE_OTHER = 0xff30ff };
+
 // Numbers of pixels of each kind.
 typedef struct Difference {
     size_t brighter, darker, other;

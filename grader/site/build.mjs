@@ -6,8 +6,9 @@ import path from "node:path";
 import { escape, render } from "./pages.mjs";
 
 const output = process.argv[2];
-const style = readFileSync(new URL("style.css", import.meta.url), "utf8");
-const policy = "default-src 'none'; style-src 'unsafe-inline'; img-src 'self' file: data:";
+const read = (name) => readFileSync(new URL(name, import.meta.url), "utf8");
+const shell = read("../pages/shell.html"), style = read("../pages/base.css") + read("style.css");
+const policy = "img-src 'self' file: data:";
 
 // The pages in the order of the lectures.
 const labs = readdirSync("labs").filter((name) => /^\d\d-[a-z-]+$/.test(name)).sort();
@@ -62,26 +63,14 @@ function turn(page) {
 
 function write(page, title, html) {
   const name = title === "Shadow Lab" ? title : `${title} - Shadow Lab`;
-  writeFileSync(path.join(output, page.file), `<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="${policy}">
-<meta name="color-scheme" content="light dark">
-<title>${name}</title>
-<style>
-${style}</style>
-</head>
-<body>
-<a class="skip" href="#text">To the text</a>
+  const content = `<a class="skip" href="#text">To the text</a>
 <nav class="site" aria-label="All pages">${navigation(page.file)}</nav>
 <main id="text">
 ${html}${turn(page)}
 </main>
-</body>
-</html>
-`);
+`;
+  const holes = { policy, title: name, style, content };
+  writeFileSync(path.join(output, page.file), shell.replace(/{{(\w+)}}/g, (_, hole) => holes[hole]));
 }
 
 rmSync(output, { recursive: true, force: true });

@@ -61,7 +61,7 @@ export function render(source, site) {
   });
   html = html.replace(/<th([^>]*)><\/th>/g, "<td$1></td>"); // Markdown wants a head; an empty one heads nothing
   let table = 0;
-  const scroll = () => `<div class="scroll" role="region" tabindex="0" aria-label="Table ${++table}"><table>`;
+  const scroll = () => `<div class="wide" role="region" tabindex="0" aria-label="Table ${++table}"><table>`;
   html = html.replace(/<table>/g, scroll);
   html = html.replace(/<\/table>/g, "</table></div>").replace(/<pre>/g, '<pre tabindex="0">');
   const displayed = /<p>(<span class="katex"><math[^>]*display="block"[^]*?<\/math><\/span>)<\/p>/g;

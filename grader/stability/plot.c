@@ -2,17 +2,13 @@
 
 #include "scene/check.h"
 #include "base/files.h"
-#include "base/process.h"
+#include "base/gnuplot.h"
+#include "pages/curve_colors.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 
-enum { WIDTH = 620, HEIGHT = 380, KEY_HEIGHT = 20, MOST_SECONDS = 120 };
-
-// Okabe and Ito: Color Universal Design, 2008; for people with any colour vision.
-static const char *const colors[FIGURE_CURVES] = {"#0072b2", "#d55e00", "#009e73",
-                                                  "#cc79a7", "#56b4e9", "#7f6000"};
+enum { WIDTH = 620, HEIGHT = 380, KEY_HEIGHT = 20 };
 
 static void write_quoted(FILE *out, const char *text) {
     fputc('\'', out);
@@ -62,11 +58,12 @@ static void write_title(FILE *out, const Curve *curve) {
 static void write_curve(FILE *out, const Curve *curve, int number, int c) {
     if (curve->rule == CURVE_EQUAL && curve->count > 1)
         fprintf(out, "$f%dc%d using 1:4:5 with filledcurves fc rgb '%s' fs transparent solid 0.15 notitle, ",
-                number, c, colors[c]);
+                number, c, curve_colors[c]);
     if (has_level(curve) || curve->rule == CURVE_SLOPE)
-        fprintf(out, "$f%dc%d using 1:3 with lines lc rgb '%s' dt 2 lw 2 notitle, ", number, c, colors[c]);
+        fprintf(out, "$f%dc%d using 1:3 with lines lc rgb '%s' dt 2 lw 2 notitle, ", number, c,
+                curve_colors[c]);
     fprintf(out, "$f%dc%d using 1:2 with linespoints lc rgb '%s' pt %d ps 0.7 lw 1.5 title ", number, c,
-            colors[c], 5 + 2 * (c % 4));
+            curve_colors[c], 5 + 2 * (c % 4));
     write_title(out, curve);
     fputs(", ", out);
 }
@@ -120,24 +117,6 @@ static void write_row(FILE *out, const RowResult *result) {
     fputs("unset multiplot\nunset output\n", out);
 }
 
-static bool run_gnuplot(const char *folder) {
-    static Process process;
-    char *const arguments[] = {"gnuplot", "stability.gp", NULL};
-    char path[FILES_PATH];
-    snprintf(path, sizeof path, "PATH=%s", getenv("PATH") ? getenv("PATH") : "/usr/bin:/bin");
-    char *const environment[] = {path, NULL};
-    const ProcessLimits limits = {.wall_seconds = MOST_SECONDS};
-    if (!process_start(&process, arguments, environment, folder, &limits))
-        return false;
-    process_wait(&process);
-    bool ok = process.state == PROCESS_ENDED && process.status == 0;
-    if (!ok)
-        check_fail("gnuplot drew no figures in %s: %s", folder,
-                   process.text[0] ? process.text : "is it installed? common/setup --test installs it");
-    process_stop(&process);
-    return ok;
-}
-
 bool plot_all(const RowResult *results, int count, const char *folder) {
     char path[FILES_PATH];
     files_join(path, folder, "stability.gp");
@@ -147,5 +126,6 @@ bool plot_all(const RowResult *results, int count, const char *folder) {
     for (int i = 0; i < count; i++)
         if (results[i].findings.figure_count)
             write_row(out, &results[i]);
-    return (fclose(out) == 0 || check_fail("%s cannot be written", path)) && run_gnuplot(folder);
+    return (fclose(out) == 0 || check_fail("%s cannot be written", path)) &&
+           gnuplot_run(folder, "stability.gp");
 }

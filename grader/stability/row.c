@@ -7,31 +7,23 @@
 #include <stdio.h>
 #include <string.h>
 
-const Row *row_find(int number) {
-    static const Row *const lists[] = {
-        rows_bias,       // 1 to 3
-        rows_kernel,     // 4, 5
-        rows_contact,    // 6 to 8
-        rows_frame,      // 9 to 11
-        rows_depth,      // 12
-        rows_resolution, // 13, 14
-        rows_filter,     // 15, 16
-        rows_early_out,  // 17
-        rows_motion,     // 18
-        rows_planes,     // 19 to 22
-        rows_closed,     // 23 to 25
-        rows_stencil,    // 26
-        rows_fill,       // 27
-        rows_bake,       // 28
-        rows_screen,     // 29
-        rows_later,      // 30, 31
-        NULL,
-    };
-    for (int i = 0; lists[i]; i++)
-        for (const Row *row = lists[i]; row->number; row++)
-            if (row->number == number)
-                return row;
-    return NULL;
+static int add_sorted(const Row *rows[ROW_MOST], int count, const Row *table) {
+    for (; table->number; table++) {
+        int at = count++;
+        INVARIANT(count <= ROW_MOST);
+        for (; at > 0 && rows[at - 1]->number > table->number; at--)
+            rows[at] = rows[at - 1];
+        INVARIANT(at == 0 || rows[at - 1]->number < table->number);
+        rows[at] = table;
+    }
+    return count;
+}
+
+int row_list(const Row *rows[ROW_MOST]) {
+    int count = add_sorted(rows, 0, rows_later);
+    for (int i = 0; rows_tables[i]; i++)
+        count = add_sorted(rows, count, rows_tables[i]);
+    return count;
 }
 
 Figure *findings_figure(Findings *findings, const char *title, const char *x_label, const char *y_label) {

@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-enum { ROW_COUNT = 31, ROW_FIGURES = 3, ROW_FRAMES = 3, ROW_TEXT = 600 };
+enum { ROW_MOST = 128, ROW_FIGURES = 3, ROW_FRAMES = 3, ROW_TEXT = 600 };
 
 typedef struct RowFrame {
     char caption[ROW_TEXT];
@@ -23,33 +23,21 @@ typedef struct Findings {
 
 // Texts for people; `expected` says what comes out and why.
 typedef struct Row {
-    int number; // as in the suite's list, 1..ROW_COUNT
+    int number; // no other row has it; those of a new lab NN are NN01, NN02, ...: 100 * LAB_NUMBER + 1
     const char *name, *method, *sweep, *expected, *source;
     // Fills the findings. False with a message when something could not be drawn. NULL: no lab has the method
     // yet; `expected` then says what would be seen.
     bool (*run)(LabSet *labs, Findings *findings);
 } Row;
 
-// The rows, a list for each topic; ends with the number 0.
-extern const Row rows_bias[];       // rows_bias.c: acne and its cures
-extern const Row rows_kernel[];     // rows_kernel.c: what a wide filter needs
-extern const Row rows_contact[];    // rows_contact.c: what the cures cost
-extern const Row rows_frame[];      // rows_frame.c: where the map ends
-extern const Row rows_depth[];      // rows_depth.c: how many bits a depth needs
-extern const Row rows_resolution[]; // rows_resolution.c: the size of a texel
-extern const Row rows_filter[];     // rows_filter.c: soft edges
-extern const Row rows_early_out[];  // rows_early_out.c: what an early-out misses
-extern const Row rows_motion[];     // rows_motion.c: a shadow map that moves
-extern const Row rows_planes[];     // rows_planes.c: what cuts shadow volumes
-extern const Row rows_closed[];     // rows_closed.c: what a volume needs of its caster
-extern const Row rows_stencil[];    // rows_stencil.c: how far eight bits of stencil count
-extern const Row rows_fill[];       // rows_fill.c: what counting costs
-extern const Row rows_bake[];       // rows_bake.c: ambient occlusion by rays
-extern const Row rows_screen[];     // rows_screen.c: ambient occlusion from the picture
-extern const Row rows_later[];      // rows_later.c: methods that no lab has yet
+// The rows of all labs, then NULL. Each solutions/NN-name/rows*.c that has some defines a table of them,
+// which ends with the number 0, by the name LAB_TABLE; build.mk makes this list.
+extern const Row *const rows_tables[];
+extern const Row rows_later[]; // rows_later.c: methods that no lab has yet
 
-// The row with this number; NULL when there is none.
-const Row *row_find(int number);
+// All rows in the order of their numbers, at most ROW_MOST; returns how many there are. Aborts when two have
+// the same number.
+int row_list(const Row *rows[ROW_MOST]);
 
 // A new figure without curves. Abort when there is no room.
 Figure *findings_figure(Findings *findings, const char *title, const char *x_label, const char *y_label);

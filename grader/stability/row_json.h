@@ -5,5 +5,5 @@
 
 #include <jansson.h>
 
-// One entry of "rows" in stability.json, whose format is schema.json.
+// One entry of "rows" in stability.json, whose format is stability.schema.json.
 json_t *row_json(const RowResult *result);

@@ -37,17 +37,17 @@ static bool take_size(MetricsSize *size, const char *text) {
 }
 
 static const StudyScene *find_scene(const char *name) {
-    for (const StudyScene *scene = study_scenes; scene->name; scene++)
-        if (strcmp(scene->name, name) == 0)
-            return scene;
+    for (int i = 0; study_scene(i); i++)
+        if (strcmp(study_scene(i)->name, name) == 0)
+            return study_scene(i);
     return NULL;
 }
 
 static bool take_scene(ChartOptions *options, const char *name) {
     if (!find_scene(name)) {
         char names[256] = "";
-        for (const StudyScene *scene = study_scenes; scene->name; scene++)
-            check_append(names, sizeof names, " %s", scene->name);
+        for (int i = 0; study_scene(i); i++)
+            check_append(names, sizeof names, " %s", study_scene(i)->name);
         return check_fail("there is no scene \"%s\"; there are%s", name, names);
     }
     if (options->scene_count == CHART_OPTIONS_SCENES)

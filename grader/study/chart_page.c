@@ -1,71 +1,45 @@
 #include "study/chart_page.h"
 
-#include "study/chart.h"
+#include "study/chart_svg.h"
 #include "scene/check.h"
-#include "scene/count.h"
-#include "base/places.h"
+#include "base/files.h"
 #include "study/pictures.h"
 #include "pages/page.h"
+#include "pages/template.h"
 
 #include <errno.h>
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LIMIT = 1 << 20 };
-static const char mark[] = "/*DATA*/"; // where the data stands in chart_page.html
+static const char template_file[] = "grader/study/chart_page.html", scenes[] = "scenes";
 
-// Puts the file of this name in grader/study/ where its name stands as a comment. Frees the text; NULL with a
-// message.
-static char *insert(char *text, const char *name) {
-    char path[FILES_PATH], relative[64], comment[64];
-    snprintf(relative, sizeof relative, "grader/study/%s", name);
-    snprintf(comment, sizeof comment, "/*%s*/", name);
-    places_path(path, relative);
-    char *part = files_read(path, LIMIT), *at = strstr(text, comment), *whole = NULL;
-    if (part && at) {
-        size_t size = strlen(text) + strlen(part) + 1;
-        whole = malloc(size);
-        INVARIANT(whole);
-        snprintf(whole, size, "%.*s%s%s", (int)(at - text), text, part, at + strlen(comment));
-    } else if (part)
-        check_fail("chart_page.html has no %s; restore the file", comment);
-    free(part);
-    free(text);
-    return whole;
-}
-
-static char *read_template(void) {
-    static const char *const parts[] = {"chart_page.css", "chart_page_error.js", "chart_page.js"};
-    char path[FILES_PATH];
-    places_path(path, "grader/study/chart_page.html");
-    char *text = files_read(path, LIMIT);
-    for (size_t i = 0; text && i < COUNT(parts); i++)
-        text = insert(text, parts[i]);
-    if (text && strstr(text, mark))
-        return text;
-    if (text)
-        check_fail("%s: no %s in it; restore the file", path, mark);
-    free(text);
-    return NULL;
-}
-
-bool chart_page_begin(FILE *file) {
-    char *text = read_template();
-    if (!text)
-        return false;
-    fwrite(text, 1, (size_t)(strstr(text, mark) - text), file);
-    free(text);
+// Writes the template from where it is up to the hole of the scenes, or to its end; other holes name files.
+static bool write_template(Template *template, FILE *out) {
+    const char *hole;
+    char file[FILES_PATH];
+    while ((hole = template_next(template, out)) && strcmp(hole, scenes) != 0) {
+        files_join(file, "grader/study", hole);
+        if (out && !template_copy(out, file))
+            return false;
+    }
     return true;
 }
 
-bool chart_page_end(FILE *file) {
-    char *text = read_template();
-    if (!text)
-        return false;
-    fputs(strstr(text, mark) + strlen(mark), file);
-    free(text);
-    return true;
+bool chart_page_begin(FILE *out) {
+    Template template = {0};
+    bool ok = page_begin_shell(out, "Speed against accuracy", "grader/study/chart_page.css") &&
+              template_open(&template, template_file) && write_template(&template, out);
+    template_close(&template);
+    return ok;
+}
+
+bool chart_page_end(FILE *out) {
+    Template template = {0};
+    bool ok = template_open(&template, template_file) && write_template(&template, NULL) &&
+              write_template(&template, out) && page_end_shell(out);
+    template_close(&template);
+    return ok;
 }
 
 static bool read_bytes(const char *path, uint8_t **bytes, size_t *size) {
@@ -105,15 +79,15 @@ static json_t *errors_json(const MeasuredErrors *e) {
                      e->interior_false_light, "off", e->off);
 }
 
-static json_t *point_json(const Findings *findings, int i, json_t *frame) {
+static json_t *point_json(const SceneFindings *findings, int i, json_t *frame) {
     const Finding *f = &findings->findings[i];
     const Point *p = &findings->points[i];
-    json_t *point =
-        json_pack("{s:s, s:s, s:s, s:i, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab", f->method.lab,
-                  "method", f->method.family, "setting", f->method.name, "family",
-                  chart_family(findings, f->method.family, f->method.submission), "submission",
-                  f->method.submission, "front", p->on_front, "enough", f->enough, "chosen", f->chosen, "ms",
-                  p->ms, "mad", p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
+    json_t *point = json_pack("{s:s, s:s, s:s, s:i, s:s, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab",
+                              f->method.lab, "method", f->method.family, "setting", f->method.name, "family",
+                              chart_family(findings, f->method.family, f->method.submission), "color",
+                              chart_color(findings, &f->method), "submission", f->method.submission, "front",
+                              p->on_front, "enough", f->enough, "chosen", f->chosen, "ms", p->ms, "mad",
+                              p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
     json_t *rest = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:o, s:o}", "prepare", f->prepare_ms,
                              "prepareMad", f->prepare_mad, "error", p->error, "taps", f->cost.taps, "texels",
                              f->cost.texels, "fragments", f->cost.fragments, "rays", f->cost.rays, "frames",
@@ -123,7 +97,7 @@ static json_t *point_json(const Findings *findings, int i, json_t *frame) {
     return point;
 }
 
-static bool add_points(json_t *points, const StudyPlan *plan, const Findings *findings) {
+static bool add_points(json_t *points, const StudyPlan *plan, const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++) {
         char path[FILES_PATH];
         if (!findings->findings[i].drawn)
@@ -137,7 +111,7 @@ static bool add_points(json_t *points, const StudyPlan *plan, const Findings *fi
     return true;
 }
 
-bool chart_page_add(FILE *file, const StudyPlan *plan, const Findings *findings, bool is_first) {
+bool chart_page_add(FILE *file, const StudyPlan *plan, const SceneFindings *findings, bool is_first) {
     char path[FILES_PATH], need[512];
     const StudyScene *scene = findings->scene;
     json_t *points = json_array();

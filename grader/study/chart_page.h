@@ -9,7 +9,7 @@
 bool chart_page_begin(FILE *file);
 
 // Adds a scene with all its pictures.
-bool chart_page_add(FILE *file, const StudyPlan *plan, const Findings *findings, bool is_first);
+bool chart_page_add(FILE *file, const StudyPlan *plan, const SceneFindings *findings, bool is_first);
 
 // The rest of chart_page.html.
 bool chart_page_end(FILE *file);

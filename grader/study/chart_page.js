@@ -1,6 +1,4 @@
 // The charts: points that show their setting. `scenes` stands before this file.
-const colors =
-    ['#0072b2', '#d55e00', '#009e73', '#b45a8c', '#b87d00', '#2c8fc9', '#000000', '#7f7f00', '#6a3d9a', '#8c564b'];
 const size = {
   width: 760,
   height: 500,
@@ -10,8 +8,6 @@ const size = {
   bottom: 46
 },
       leastError = 1e-6;
-const submitted = '#d00000';
-const color = p => p.submission ? submitted : colors[p.family % colors.length];
 const time = p => byShade.checked ? p.shade : p.ms, mad = p => byShade.checked ? p.shadeMad : p.mad;
 const byShade = document.getElementById('shade');
 const digits = x => x === 0     ? '0'
@@ -34,13 +30,13 @@ function shape(p, x, y, r) {
   const polygon = points => 'M' + points.map(([u, v]) => `${x + u * r},${y + v * r}`).join('L') + 'Z';
   const cross = `M${x - r},${y - r}L${x + r},${y + r}M${x - r},${y + r}L${x + r},${y - r}`;
   if (p.submission)
-    return make('path', {d: cross, stroke: submitted, 'stroke-width': 3});
+    return make('path', {d: cross, stroke: p.color, 'stroke-width': 3});
   const paths = [
     null, polygon([[-.9, -.9], [.9, -.9], [.9, .9], [-.9, .9]]), polygon([[0, -1.2], [1.1, .8], [-1.1, .8]]),
     polygon([[0, 1.2], [1.1, -.8], [-1.1, -.8]]), polygon([[0, -1.3], [1.1, 0], [0, 1.3], [-1.1, 0]])
   ];
   const open = p.family >= paths.length,
-        style = open ? {fill: '#fff', stroke: color(p), 'stroke-width': 2} : {fill: color(p)};
+        style = open ? {fill: '#fff', stroke: p.color, 'stroke-width': 2} : {fill: p.color};
   const path = paths[p.family % paths.length];
   return path ? make('path', {d: path, ...style}) : make('circle', {cx: x, cy: y, r, ...style});
 }
@@ -101,7 +97,7 @@ function drawPoint(p, x, y) {
   const point =
       make('g', {class: 'point', role: 'option', tabindex: -1, 'aria-selected': 'false', 'aria-label': describe(p)},
            make('circle', {class: 'halo', cx: at, cy: down, r: 9}),
-           make('line', {class: 'bar', x1: ends[0], x2: ends[1], y1: down, y2: down, stroke: color(p)}),
+           make('line', {class: 'bar', x1: ends[0], x2: ends[1], y1: down, y2: down, stroke: p.color}),
            shape(p, at, down, 4.5), make('circle', {cx: at, cy: down, r: 8, fill: 'transparent'}));
   if (p.chosen)
     point.prepend(make('circle', {class: 'need', cx: at, cy: down, r: 13}));

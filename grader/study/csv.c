@@ -20,7 +20,7 @@ static void write_errors(FILE *file, const MeasuredErrors *e) {
             e->off);
 }
 
-void csv_write(FILE *file, const Findings *findings) {
+void csv_write(FILE *file, const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++) {
         const Finding *f = &findings->findings[i];
         const Point *point = &findings->points[i];

@@ -7,7 +7,7 @@
 
 // The line of column names.
 void csv_head(FILE *file);
-void csv_write(FILE *file, const Findings *findings);
+void csv_write(FILE *file, const SceneFindings *findings);
 
 // Prints which settings are on the front in one table only and whether the noise explains it: whether each
 // one that keeps it off the front in one table and not in the other has overlapping error bars with it in at

@@ -8,15 +8,15 @@
 
 enum { MOST = 8 * METHOD_MOST, NAME = 160, COLUMNS = 27, BEFORE_TIMES = 5, BEFORE_ERRORS = 12 };
 
-typedef struct Row {
+typedef struct CsvRow {
     char scene[32], name[NAME]; // name: scene, lab, whose, method and setting
     Point point;
-} Row;
+} CsvRow;
 
-typedef struct Table {
-    Row rows[MOST];
+typedef struct CsvTable {
+    CsvRow rows[MOST];
     int count;
-} Table;
+} CsvTable;
 
 // Cuts the line at its commas outside quotes, which go; false when it has another number of fields.
 static bool split(char *line, char *fields[COLUMNS]) {
@@ -34,22 +34,22 @@ static bool split(char *line, char *fields[COLUMNS]) {
     return count == COLUMNS;
 }
 
-static bool take(Table *table, char *line) {
+static bool take(CsvTable *table, char *line) {
     char *fields[COLUMNS];
     if (!split(line, fields) || table->count == MOST)
         return false;
-    Row *row = &table->rows[table->count++];
-    *row = (Row){.point = {.ms = atof(fields[BEFORE_TIMES + 1]),
-                           .mad = atof(fields[BEFORE_TIMES + 2]),
-                           .error = atof(fields[BEFORE_ERRORS]),
-                           .on_front = atoi(fields[COLUMNS - 3]) != 0}};
+    CsvRow *row = &table->rows[table->count++];
+    *row = (CsvRow){.point = {.ms = atof(fields[BEFORE_TIMES + 1]),
+                              .mad = atof(fields[BEFORE_TIMES + 2]),
+                              .error = atof(fields[BEFORE_ERRORS]),
+                              .on_front = atoi(fields[COLUMNS - 3]) != 0}};
     snprintf(row->scene, sizeof row->scene, "%s", fields[0]);
     for (int i = 0; i < BEFORE_TIMES; i++)
         check_append(row->name, sizeof row->name, "%s%s", i ? ", " : "", fields[i]);
     return true;
 }
 
-static bool read_table(Table *table, const char *path) {
+static bool read_table(CsvTable *table, const char *path) {
     char line[1024];
     int number = 0;
     FILE *file = fopen(path, "r");
@@ -63,10 +63,10 @@ static bool read_table(Table *table, const char *path) {
     fclose(file);
     if (ok && number > 0)
         return true;
-    return check_fail("%s:%d: not a chart.csv of this version; make it anew with make study", path, number);
+    return check_fail("%s:%d: not a chart.csv of this version; make it again with make study", path, number);
 }
 
-static const Row *find(const Table *table, const Row *wanted) {
+static const CsvRow *find(const CsvTable *table, const CsvRow *wanted) {
     for (int i = 0; i < table->count; i++)
         if (strcmp(table->rows[i].name, wanted->name) == 0)
             return &table->rows[i];
@@ -75,9 +75,10 @@ static const Row *find(const Table *table, const Row *wanted) {
 
 // Does noise explain that `on` is on the front of its table and `off` not on that of the other? For each one
 // that dominates it in the other table only.
-static bool is_explained(const Table *on_table, const Row *on, const Table *off_table, const Row *off) {
+static bool is_explained(const CsvTable *on_table, const CsvRow *on, const CsvTable *off_table,
+                         const CsvRow *off) {
     for (int i = 0; i < off_table->count; i++) {
-        const Row *rival = &off_table->rows[i], *before = find(on_table, rival);
+        const CsvRow *rival = &off_table->rows[i], *before = find(on_table, rival);
         if (!before || strcmp(rival->scene, off->scene) != 0 || !pareto_dominates(&rival->point, &off->point))
             continue;
         if (!pareto_bars_overlap(&rival->point, &off->point) &&
@@ -88,13 +89,13 @@ static bool is_explained(const Table *on_table, const Row *on, const Table *off_
 }
 
 bool csv_compare(const char *a, const char *b, FILE *out, int *unexplained) {
-    static Table first, second;
+    static CsvTable first, second;
     int both = 0, swapped = 0, front = 0;
     *unexplained = first.count = second.count = 0;
     if (!read_table(&first, a) || !read_table(&second, b))
         return false;
     for (int i = 0; i < first.count; i++) {
-        const Row *x = &first.rows[i], *y = find(&second, x);
+        const CsvRow *x = &first.rows[i], *y = find(&second, x);
         if (!y)
             continue;
         both++;

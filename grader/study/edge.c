@@ -2,6 +2,7 @@
 
 #include "study/pareto.h"
 #include "base/statistics.h"
+#include "shadow_map.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -82,7 +83,7 @@ static double side_at(const TruthView *truth_view, const TruthHit *hit) {
     vec3s up = glms_vec3_cross(hit->face_normal, right);
     mat2s in_picture = moves(seen, hit->position, right, up);
     mat2s in_map =
-        moves(scene_light_clip_from_world(&truth_view->truth.scene.lights[0]), hit->position, right, up);
+        moves(shadow_map_clip_from_world(&truth_view->truth.scene.lights[0]), hit->position, right, up);
     mat2s picture_from_map = glms_mat2_mul(in_picture, glms_mat2_inv(in_map));
     for (int i = 0; i < 2; i++) {
         picture_from_map.raw[i][0] *= width; // both spaces are 2 wide

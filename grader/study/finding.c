@@ -47,7 +47,7 @@ static bool is_enough(const Finding *finding, double tolerance) {
            finding->errors.off <= FINDING_MOST_OFF;
 }
 
-void findings_judge(Findings *findings) {
+void findings_judge(SceneFindings *findings) {
     Finding *cheapest = NULL;
     double least = 0;
     for (int i = 0; i < findings->count; i++) {
@@ -67,14 +67,14 @@ void findings_judge(Findings *findings) {
     pareto_mark(findings->points, (size_t)findings->count);
 }
 
-const Finding *findings_chosen(const Findings *findings) {
+const Finding *findings_chosen(const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++)
         if (findings->findings[i].chosen)
             return &findings->findings[i];
     return NULL;
 }
 
-const Finding *findings_next_cheaper(const Findings *findings) {
+const Finding *findings_next_cheaper(const SceneFindings *findings) {
     const Finding *chosen = findings_chosen(findings);
     const Point *limit = chosen ? &findings->points[chosen - findings->findings] : NULL, *best = NULL;
     for (int i = 0; limit && i < findings->count; i++) {
@@ -96,7 +96,7 @@ static void tell_wrong(const Finding *finding, double tolerance, char *text, siz
                      errors->interior_false_shadow > errors->interior_false_light ? "shadow" : "light");
 }
 
-void findings_tell(const Findings *findings, char *text, size_t size) {
+void findings_tell(const SceneFindings *findings, char *text, size_t size) {
     const Finding *chosen = findings_chosen(findings), *next = findings_next_cheaper(findings);
     text[0] = '\0';
     if (!chosen) {

@@ -2,16 +2,8 @@
 #pragma once
 
 #include "study/pareto.h"
-#include "study/study_scenes.h"
+#include "study/study_scene.h"
 #include "study/measurements.h"
-
-// What a frame costs on any machine, as the setting has it.
-typedef struct Cost {
-    double taps;      // lookups of a pixel in the map or atlas; with early-out the mean over the picture
-    double texels;    // of the map or the atlas
-    double fragments; // of the shadow volumes, hidden or not
-    double rays;      // of a bake
-} Cost;
 
 typedef struct Finding {
     Method method;
@@ -29,28 +21,28 @@ typedef struct Finding {
 
 #define FINDING_MOST_OFF 0.5 // pixels
 
-typedef struct Findings {
+typedef struct SceneFindings {
     const StudyScene *scene;
     Finding findings[METHOD_MOST];
     Point points[METHOD_MOST]; // of the findings; a negative time where nothing was drawn
     int count;
-} Findings;
+} SceneFindings;
 
 // Sum of false shadow and false light, in the interior and in all of the picture.
 double finding_interior_error(const MeasuredErrors *errors);
 double finding_error(const MeasuredErrors *errors);
 
 // From errors and times to front, enough and chosen. `times` are scratch.
-void findings_judge(Findings *findings);
+void findings_judge(SceneFindings *findings);
 
 // The finding that is chosen; NULL when none is enough.
-const Finding *findings_chosen(const Findings *findings);
+const Finding *findings_chosen(const SceneFindings *findings);
 
 // The most expensive one of the front that is cheaper than the chosen one; NULL when there is none.
-const Finding *findings_next_cheaper(const Findings *findings);
+const Finding *findings_next_cheaper(const SceneFindings *findings);
 
 // One line: what this scene needs, and what the next cheaper setting gets wrong.
-void findings_tell(const Findings *findings, char *text, size_t size);
+void findings_tell(const SceneFindings *findings, char *text, size_t size);
 
 // Median and MAD of all frames' times.
 void finding_time(Finding *finding, Point *point, const MeasuredTime *times, int count);

@@ -51,7 +51,7 @@ static bool add_object(Volume *volume, const Object *object, const Light *light)
     return ok;
 }
 
-// The camera's matrix without a far plane, as in lab 07.
+// The camera's matrix without a far plane, as volumes without an end need it.
 static mat4s clip_from_world(const Camera *camera, float aspect) {
     mat4s clip_from_view = camera_clip_from_view(camera, aspect);
     clip_from_view.raw[2][2] = -1;

@@ -17,7 +17,7 @@ typedef struct StudyPlan {
 // Fills the findings of this scene with its settings, and those of the crew's submission behind them;
 // measures what the state does not hold. False with a message when something of ours fails; a submission that
 // does not draw is a finding.
-bool measure_scene(StudyPlan *plan, const StudyScene *scene, Findings *findings);
+bool measure_scene(StudyPlan *plan, const StudyScene *scene, SceneFindings *findings);
 
 // Does the scene have settings of this lab?
 bool measure_concerns(const StudyScene *scene, const char *lab);

@@ -36,3 +36,10 @@ Method *method_add_map(MethodList *list, const char *lab, const char *family, in
     setting_knob(&method->setting, "map size", (float)map_size);
     return method;
 }
+
+float method_knob(const Method *method, const char *name, float other) {
+    for (int i = 0; i < method->setting.knob_count; i++)
+        if (strcmp(method->setting.knobs[i].name, name) == 0)
+            return method->setting.knobs[i].value;
+    return other;
+}

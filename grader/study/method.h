@@ -7,6 +7,14 @@
 
 enum { METHOD_NAME = 48, METHOD_MOST = 160 };
 
+// What a frame costs on any machine, as the setting has it.
+typedef struct Cost {
+    double taps;      // lookups of a pixel in the map or atlas; with early-out the mean over the picture
+    double texels;    // of the map or the atlas
+    double fragments; // of the shadow volumes, hidden or not
+    double rays;      // of a bake
+} Cost;
+
 typedef struct Method {
     const char *lab;        // whose passes draw it: "05"
     const char *family;     // a colour of the chart: "box PCF"
@@ -18,7 +26,8 @@ typedef struct Method {
     int taps;             // lookups of a pixel
     int first;            // early-out: the taps after which it may stop; 0: none
     bool volumes;         // draws shadow volumes
-    bool baked;           // rays into an atlas, by the knobs of lab 08
+    // Adds what only its lab can count to the cost; NULL: nothing.
+    void (*add_cost)(Cost *cost, const struct Method *method, const Scene *scene);
     bool submission;
 } Method;
 
@@ -35,9 +44,5 @@ Method *method_add(MethodList *list, const char *lab, const char *family, const 
 Method *method_add_map(MethodList *list, const char *lab, const char *family, int map_size,
                        const char *format, ...) __attribute__((format(printf, 5, 6)));
 
-// The settings of each scene of scenes.c, after the phenomenon that they show.
-void methods_of_bias(MethodList *list);
-void methods_of_edges(MethodList *list);
-void methods_of_penumbra(MethodList *list); // needs the matched kernel SCENES_KERNEL
-void methods_of_volumes(MethodList *list);
-void methods_of_occlusion(MethodList *list);
+// A knob of the setting; `other` where the setting leaves it alone.
+float method_knob(const Method *method, const char *name, float other);

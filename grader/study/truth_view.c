@@ -89,7 +89,8 @@ void truth_view_destroy(TruthView *truth_view) {
 void setting_knob(Setting *setting, const char *name, float value) {
     INVARIANT(setting->knob_count < LAB_MAX_KNOBS);
     KnobSetting *knob = &setting->knobs[setting->knob_count++];
-    INVARIANT(snprintf(knob->name, sizeof knob->name, "%s", name) < (int)sizeof knob->name);
+    int length = snprintf(knob->name, sizeof knob->name, "%s", name);
+    INVARIANT(length < (int)sizeof knob->name);
     knob->value = value;
 }
 

@@ -44,7 +44,7 @@ typedef struct Measured {
     float milliseconds[LAB_MAX_PASSES];
 } Measured;
 
-// Draws the ground's scene by `artist` and compares it with the truth. Its resources are made anew where
+// Draws the ground's scene by `artist` and compares it with the truth. Its resources are made again where
 // `fresh`. False with a message. The caller destroys what it got, also after a failure.
 bool truth_view_measure(const TruthView *truth_view, LabArtist *artist, const Setting *setting, bool fresh,
                         Measured *measured);

@@ -14,13 +14,6 @@ vec3s aim_origin(const TruthHit *hit) {
     return glms_vec3_add(p, glms_vec3_scale(hit->face_normal, size * 0x1p-19f));
 }
 
-static Aim aim_at_light(const Light *light) {
-    vec3s forward = glms_vec3_sub(light->target, light->position);
-    return light->kind == LIGHT_SPOT
-               ? (Aim){.kind = AIM_POINT, .value = light->position, .front = forward, .limit = 1}
-               : (Aim){.kind = AIM_DIRECTION, .value = glms_vec3_negate(forward), .limit = INFINITY};
-}
-
 // The unit square to the unit disc, areas kept.
 static vec2s to_disc(vec2s square) {
     float radius = sqrtf(square.x), angle = 2 * (float)GLM_PI * square.y;
@@ -32,17 +25,32 @@ static Aim aim_at_area(const TruthArea *area, vec2s place) {
     return (Aim){.kind = AIM_POINT, .value = glms_vec3_add(area->center, offset), .limit = 1};
 }
 
+// `place` in [-1, 1]^2: where on a lamp with an extent.
+static Aim aim_at_light(const Light *light, vec2s place) {
+    vec3s forward = glms_vec3_sub(light->target, light->position);
+    if (light->kind == LIGHT_DIRECTIONAL)
+        return (Aim){.kind = AIM_DIRECTION, .value = glms_vec3_negate(forward), .limit = INFINITY};
+    TruthArea area = {.center = light->position};
+    light_axes(light, &area.right, &area.up);
+    Aim aim = aim_at_area(&area, glms_vec2_scale(place, light->extent));
+    aim.front = light->kind == LIGHT_SPOT ? forward : vec3_make(0, 0, 0);
+    return aim;
+}
+
 static Aim aim_at_sky(vec2s disc, float limit) {
     float height = sqrtf(fmaxf(0, 1 - disc.x * disc.x - disc.y * disc.y));
     return (Aim){
         .kind = AIM_LOCAL, .value = vec3_make(disc.x, disc.y, height), .limit = limit > 0 ? limit : INFINITY};
 }
 
-static Aim aim_sample(const TruthQuery *query, vec2s square) {
+static Aim aim_sample(const TruthQuery *query, const Light *light, vec2s square) {
+    vec2s place = {{2 * square.x - 1, 2 * square.y - 1}};
+    if (light)
+        return aim_at_light(light, place);
     if (query->kind == TRUTH_DISC)
         return aim_at_area(&query->area, to_disc(square));
     if (query->kind == TRUTH_RECTANGLE)
-        return aim_at_area(&query->area, (vec2s){{2 * square.x - 1, 2 * square.y - 1}});
+        return aim_at_area(&query->area, place);
     return aim_at_sky(to_disc(square), query->limit);
 }
 
@@ -53,7 +61,7 @@ static int strata_across(int samples) {
     return across;
 }
 
-static int aim_samples(const TruthQuery *query, int tile, Aim *aims) {
+static int aim_samples(const TruthQuery *query, const Light *light, int tile, Aim *aims) {
     // The tile's number is put through the generator once: neighbouring seeds share most of their sequence.
     Random random = {query->seed + (uint64_t)tile * 0xd1342543de82ef95u};
     random.state = random_next(&random);
@@ -62,17 +70,21 @@ static int aim_samples(const TruthQuery *query, int tile, Aim *aims) {
         for (int column = 0; column < across; column++) {
             float x = ((float)column + random_range(&random, 0, 1)) / (float)across;
             float y = ((float)row + random_range(&random, 0, 1)) / (float)down;
-            *aims++ = aim_sample(query, (vec2s){{x, y}});
+            *aims++ = aim_sample(query, light, (vec2s){{x, y}});
         }
     return query->samples;
 }
 
 int aim_all(const Scene *scene, const TruthQuery *query, int tile, Aim *aims) {
     if (query->kind != TRUTH_LIGHT && query->kind != TRUTH_LIGHTS)
-        return aim_samples(query, tile, aims);
+        return aim_samples(query, NULL, tile, aims);
     int first = query->kind == TRUTH_LIGHT ? query->light : 0;
-    int count = query->kind == TRUTH_LIGHT ? 1 : scene->light_count;
-    for (int i = 0; i < count; i++)
-        aims[i] = aim_at_light(&scene->lights[first + i]);
-    return count;
+    int count = query->kind == TRUTH_LIGHT ? 1 : scene->light_count, total = 0;
+    bool wide = truth_is_wide(scene, query);
+    for (const Light *light = &scene->lights[first]; light < &scene->lights[first + count]; light++)
+        if (wide)
+            total += aim_samples(query, light, tile, aims + total);
+        else
+            aims[total++] = aim_at_light(light, (vec2s){{0, 0}});
+    return total;
 }

@@ -110,6 +110,15 @@ static float facing_one(const Light *light, const TruthHit *hit) {
     return fminf(glms_vec3_dot(hit->normal, to_light), glms_vec3_dot(hit->face_normal, to_light));
 }
 
+bool truth_is_wide(const Scene *scene, const TruthQuery *query) {
+    if (query->kind == TRUTH_LIGHT)
+        return scene->lights[query->light].extent > 0;
+    bool wide = false;
+    for (int i = 0; query->kind == TRUTH_LIGHTS && i < scene->light_count; i++)
+        wide = wide || scene->lights[i].extent > 0;
+    return wide;
+}
+
 float truth_facing(const Scene *scene, const TruthHit *hit, int light) {
     float most = -1;
     for (int i = 0; i < scene->light_count; i++)

@@ -47,8 +47,8 @@ typedef struct TruthPicture {
 } TruthPicture;
 
 typedef enum TruthKind {
-    TRUTH_LIGHT,     // the scene's light `light`: 0 or 1
-    TRUTH_LIGHTS,    // the share of the scene's lights that reach the point
+    TRUTH_LIGHT,     // the scene's light `light`: 0 or 1; of a lamp with an extent the share that is seen
+    TRUTH_LIGHTS,    // the mean of that over the scene's lights
     TRUTH_DISC,      // the share of an area light that is seen, by its area
     TRUTH_RECTANGLE, // the same
     TRUTH_OCCLUSION  // 1 - cosine-weighted ambient occlusion, around the triangle's normal
@@ -60,12 +60,13 @@ typedef struct TruthArea {
     vec3s center, right, up; // world
 } TruthArea;
 
-// Samples are stratified and drawn anew for each tile of 4 x 4 pixels, whose pixels share them.
+// Samples are stratified and drawn again for each tile of 4 x 4 pixels, whose pixels share them.
 typedef struct TruthQuery {
     TruthKind kind;
     int light;       // TRUTH_LIGHT
     TruthArea area;  // TRUTH_DISC, TRUTH_RECTANGLE
-    int samples;     // rays a pixel, 1..TRUTH_MAX_SAMPLES: area light and occlusion
+    int samples;     // rays a pixel, 1..TRUTH_MAX_SAMPLES (and a light, if one has an extent): area light and
+                     // occlusion
     float limit;     // TRUTH_OCCLUSION: length of the rays, world units; 0: no limit
     uint64_t seed;   // the same seed gives the same bytes
     bool one_by_one; // the same rays one at a time, for comparison
@@ -86,6 +87,9 @@ void truth_look(const Truth *truth, TruthPicture *picture);
 // Visibility in 0..1 of each pixel of the picture, 0 for the background (the labs' visibility view is black
 // there). False with a message for a light that the scene does not have or a number of samples out of range.
 bool truth_trace(const Truth *truth, const TruthPicture *picture, const TruthQuery *query, float *visibility);
+
+// Do the lights of the query need samples, since one of them has an extent?
+bool truth_is_wide(const Scene *scene, const TruthQuery *query);
 
 // dot(normal, direction to the light) as shaders/lighting.glsl has it, or that of the triangle where it is
 // less: what light grazes by either is no fair test of a shadow. Of light `light`; for TRUTH_NONE the largest

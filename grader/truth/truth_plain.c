@@ -12,17 +12,17 @@ typedef struct Plain {
     float *visibility;
 } Plain;
 
-typedef struct Point {
+typedef struct ShadedPoint {
     vec3s origin, tangent, bitangent, normal; // world
-} Point;
+} ShadedPoint;
 
-static Point make_point(const TruthHit *hit) {
-    Point point = {.origin = aim_origin(hit), .normal = hit->face_normal};
+static ShadedPoint make_point(const TruthHit *hit) {
+    ShadedPoint point = {.origin = aim_origin(hit), .normal = hit->face_normal};
     aim_frame(point.normal, &point.tangent, &point.bitangent);
     return point;
 }
 
-static vec3s direction_of(const Point *point, const Aim *aim) {
+static vec3s direction_of(const ShadedPoint *point, const Aim *aim) {
     if (aim->kind == AIM_POINT)
         return glms_vec3_sub(aim->value, point->origin);
     if (aim->kind == AIM_DIRECTION)
@@ -32,7 +32,7 @@ static vec3s direction_of(const Point *point, const Aim *aim) {
                                        glms_vec3_scale(point->normal, aim->value.z)));
 }
 
-static bool reaches(RTCScene tree, const Point *point, const Aim *aim) {
+static bool reaches(RTCScene tree, const ShadedPoint *point, const Aim *aim) {
     vec3s direction = direction_of(point, aim);
     if (aim->kind == AIM_POINT && glms_vec3_dot(direction, aim->front) > 0)
         return false;
@@ -55,7 +55,7 @@ static void trace_row(int row, void *context) {
     Aim aims[TRUTH_MAX_SAMPLES];
     for (int i = row * plain->picture->width; i < (row + 1) * plain->picture->width; i++) {
         const TruthHit *hit = &plain->picture->hits[i];
-        Point point = make_point(hit);
+        ShadedPoint point = make_point(hit);
         int lit = 0;
         int count = hit->object == TRUTH_NONE ? 0 : aim_all(&plain->truth->scene, plain->query, i, aims);
         for (int k = 0; k < count; k++)

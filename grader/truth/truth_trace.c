@@ -138,14 +138,22 @@ static void trace_tile(const Tile *tile, void *context) {
             trace->visibility[tile->pixel[i]] = count ? (float)packet.lit[i] / (float)count : 0;
 }
 
-static bool check_query(const Scene *scene, const TruthQuery *query) {
+static bool check_lights(const Scene *scene, const TruthQuery *query) {
     if (query->kind == TRUTH_LIGHT)
         return (query->light >= 0 && query->light < scene->light_count) ||
                check_fail("the scene has no light %d; it has %d", query->light, scene->light_count);
-    if (query->kind == TRUTH_LIGHTS)
-        return scene->light_count > 0 || check_fail("the scene has no light");
-    return (query->samples >= 1 && query->samples <= TRUTH_MAX_SAMPLES) ||
-           check_fail("%d samples a pixel: take 1 to %d", query->samples, TRUTH_MAX_SAMPLES);
+    return query->kind != TRUTH_LIGHTS || scene->light_count > 0 || check_fail("the scene has no light");
+}
+
+static bool check_query(const Scene *scene, const TruthQuery *query) {
+    if (!check_lights(scene, query))
+        return false;
+    bool lights = query->kind == TRUTH_LIGHT || query->kind == TRUTH_LIGHTS;
+    if (lights && !truth_is_wide(scene, query))
+        return true;
+    int most = TRUTH_MAX_SAMPLES / (query->kind == TRUTH_LIGHTS ? scene->light_count : 1);
+    return (query->samples >= 1 && query->samples <= most) ||
+           check_fail("%d samples a pixel: take 1 to %d", query->samples, most);
 }
 
 bool truth_trace(const Truth *truth, const TruthPicture *picture, const TruthQuery *query,

@@ -19,7 +19,7 @@ bool todo_find(const Rubric *rubric, const char *folder, const char *task, char 
     bool found = false;
     snprintf(mark, sizeof mark, "TODO(%s)", task);
     for (int i = 0; !found && i < rubric->file_count; i++) {
-        char *text = files_read_strange(folder, rubric->files[i], DERIVE_MAX_FILE);
+        char *text = files_read_untrusted(folder, rubric->files[i], DERIVE_MAX_FILE);
         const char *at = text ? strstr(text, mark) : NULL;
         found = at != NULL;
         if (found)

@@ -12,7 +12,8 @@ static void ensure_size(Image *image, int width, int height) {
     if (image->rgba && image->width == width && image->height == height)
         return;
     image_destroy(image);
-    INVARIANT(image_create(image, width, height));
+    bool created = image_create(image, width, height);
+    INVARIANT(created);
 }
 
 int compose_column(float split, int width) {

@@ -59,8 +59,10 @@ LoadedLab *loaded_lab_find(const char *folder, const char *shader_folder) {
 }
 
 static void destroy_lab(LoadedLab *hosted) {
+    running = "destroy";
     if (hosted->created)
         hosted->lab->destroy();
+    running = NULL;
     hosted->created = false;
     target_destroy(&hosted->picture);
     target_destroy(&hosted->readback);
@@ -106,14 +108,17 @@ static bool ensure_created(LoadedLab *hosted, const Request *request, Frame *fra
         return true;
     }
     destroy_lab(hosted);
+    gl_reset();
     if (!target_create(&hosted->readback, request->width, request->height, GL_RGBA32F, 0) ||
         !target_create(&hosted->picture, request->width, request->height, GL_RGBA32F, GL_DEPTH24_STENCIL8))
         return false;
     frame->framebuffer = hosted->picture.framebuffer;
     hosted->created = true;
     running = "create";
-    gl_reset();
-    return hosted->lab->create(frame) || check_fail("create returned false");
+    gl_reset(); // so that what a lab forgets to bind is not our picture
+    const bool created = hosted->lab->create(frame);
+    running = NULL;
+    return created || check_fail("create returned false");
 }
 
 static float cpu_milliseconds(void) {
@@ -125,6 +130,8 @@ static float cpu_milliseconds(void) {
 static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) {
     gl_reset();
     frame_bind(frame);
+    glDrawBuffer(GL_COLOR_ATTACHMENT0); // of the picture, in which an earlier frame may have left others
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
     vec3s background = frame->flat_light ? vec3_make(0, 0, 0) : frame->scene->background;
     glClearColor(background.x, background.y, background.z, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
@@ -162,6 +169,7 @@ static bool read_pixels(const Target *target, uint8_t *pixels) {
         return check_fail("out of memory for the picture");
     gl_reset();
     glBindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_FLOAT, colors);
     quantise(colors, pixels, target->width, target->height);
     free(colors);
@@ -206,6 +214,8 @@ static void describe_knob(struct KnobText *text, const Knob *knob) {
     text->low = knob->low;
     text->high = knob->high;
     text->value = knob->value;
+    for (int i = 0; i < LAB_MAX_CHOICES && knob->choices[i]; i++)
+        snprintf(text->choices[text->choice_count++], LAB_MAX_NAME, "%s", knob->choices[i]);
 }
 
 bool loaded_lab_describe(const LoadedLab *hosted, Description *description) {
@@ -216,8 +226,10 @@ bool loaded_lab_describe(const LoadedLab *hosted, Description *description) {
     snprintf(description->title, sizeof description->title, "%s", lab->title ? lab->title : "");
     for (int i = 0; i < LAB_MAX_KNOBS && lab->knobs[i].name; i++)
         describe_knob(&description->knobs[description->knob_count++], &lab->knobs[i]);
-    for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++)
+    for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++) {
+        description->pass_kinds[i] = (int32_t)lab->passes[i].kind;
         snprintf(description->passes[description->pass_count++], LAB_MAX_NAME, "%s", lab->passes[i].name);
+    }
     for (int i = 0; i < LAB_MAX_STAGES && lab->stages[i].name; i++)
         snprintf(description->stages[description->stage_count++], LAB_MAX_NAME, "%s", lab->stages[i].name);
     return true;

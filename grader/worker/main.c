@@ -27,7 +27,8 @@ static struct {
 static void report_crash(int number) {
     char text[300] = "";
     void *frames[32];
-    check_append(text, sizeof text, "in %s", loaded_lab_running() ? loaded_lab_running() : "the lab");
+    check_append(text, sizeof text, PROTOCOL_PLACE "%s",
+                 loaded_lab_running() ? loaded_lab_running() : "the lab");
     gl_append_caller(text, sizeof text, frames, backtrace(frames, 32));
     ssize_t written = write(STDERR_FILENO, text, strlen(text));
     (void)written;
@@ -41,7 +42,7 @@ static void watch_crashes(void) {
     backtrace(&frame, 1); // loads libgcc now, not inside the handler
     sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack}, NULL);
     struct sigaction action = {.sa_handler = report_crash, .sa_flags = SA_ONSTACK | SA_RESETHAND};
-    const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU};
     for (unsigned i = 0; i < COUNT(signals); i++)
         sigaction(signals[i], &action, NULL);
 }

@@ -15,7 +15,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-static bool opens_sockets(const Target *target) {
+static bool opens_sockets(const AttackTarget *target) {
     static const int families[] = {AF_INET, AF_INET6, AF_UNIX, AF_NETLINK};
     int pair[2];
     (void)target;
@@ -25,14 +25,14 @@ static bool opens_sockets(const Target *target) {
     return socketpair(AF_UNIX, SOCK_STREAM, 0, pair) == 0;
 }
 
-static bool makes_namespaces(const Target *target) {
+static bool makes_namespaces(const AttackTarget *target) {
     (void)target;
     return unshare(CLONE_NEWUSER) == 0 || unshare(CLONE_NEWNS) == 0 ||
            syscall(SYS_clone, CLONE_NEWUSER | SIGCHLD, NULL, NULL, NULL, NULL) >= 0;
 }
 
 // A kernel that lacks one of them answers ENOSYS, but the filter comes first.
-static bool calls_kernel(const Target *target) {
+static bool calls_kernel(const AttackTarget *target) {
     static const long calls[] = {SYS_io_uring_setup,
                                  SYS_bpf,
                                  SYS_keyctl,
@@ -57,7 +57,7 @@ static bool calls_kernel(const Target *target) {
 }
 
 // What gets through is removed again.
-static bool shares_memory(const Target *target) {
+static bool shares_memory(const AttackTarget *target) {
     (void)target;
     int memory = shmget(IPC_PRIVATE, 4096, IPC_CREAT | 0600), queue = msgget(IPC_PRIVATE, IPC_CREAT | 0600);
     int file = shm_open("/shadow-lab-attack", O_CREAT | O_RDWR, 0600);
@@ -69,7 +69,7 @@ static bool shares_memory(const Target *target) {
     return memory >= 0 || queue >= 0 || file >= 0 || named != (mqd_t)-1;
 }
 
-static bool may_gain_privileges(const Target *target) {
+static bool may_gain_privileges(const AttackTarget *target) {
     (void)target;
     return prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) != 1;
 }

@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static bool forks(const Target *target) {
+static bool forks(const AttackTarget *target) {
     (void)target;
     pid_t pid = fork();
     if (pid == 0)
@@ -27,7 +27,7 @@ static void *nothing(void *context) {
     return context;
 }
 
-static bool starts_threads(const Target *target) {
+static bool starts_threads(const AttackTarget *target) {
     (void)target;
     pthread_t thread;
     if (pthread_create(&thread, NULL, nothing, NULL) != 0)
@@ -37,19 +37,19 @@ static bool starts_threads(const Target *target) {
 }
 
 // It would end the probe if it were possible, and then the word "probed" is missing.
-static bool runs_shell(const Target *target) {
+static bool runs_shell(const AttackTarget *target) {
     (void)target;
     return execl("/bin/sh", "sh", "-c", "echo a shell", (char *)NULL) == 0;
 }
 
-static bool signals_others(const Target *target) {
+static bool signals_others(const AttackTarget *target) {
     siginfo_t info = {.si_code = SI_QUEUE};
     return kill(target->grader, 0) == 0 || kill(getppid(), 0) == 0 || kill(0, 0) == 0 ||
            syscall(SYS_rt_sigqueueinfo, target->grader, 0, &info) == 0 ||
            fcntl(1, F_SETOWN, target->grader) == 0;
 }
 
-static bool reads_memory(const Target *target) {
+static bool reads_memory(const AttackTarget *target) {
     char byte;
     struct iovec here = {&byte, 1}, there = {&byte, 1};
     return ptrace(PTRACE_TRACEME, 0, NULL, NULL) == 0 ||
@@ -57,24 +57,24 @@ static bool reads_memory(const Target *target) {
            process_vm_readv(target->grader, &here, 1, &there, 1, 0) >= 0 || errno != EPERM;
 }
 
-static bool is_root(const Target *target) {
+static bool is_root(const AttackTarget *target) {
     (void)target;
     return getuid() == 0 || geteuid() == 0 || setuid(0) == 0 || setgid(0) == 0;
 }
 
-static bool leaves_group(const Target *target) {
+static bool leaves_group(const AttackTarget *target) {
     (void)target;
     return setsid() >= 0 || setpgid(0, 0) == 0;
 }
 
-static bool raises_limits(const Target *target) {
+static bool raises_limits(const AttackTarget *target) {
     (void)target;
     struct rlimit limit;
     getrlimit(RLIMIT_NOFILE, &limit);
     return limit.rlim_max > 1024 || setrlimit(RLIMIT_NOFILE, &limit) == 0;
 }
 
-static bool uses_much_memory(const Target *target) {
+static bool uses_much_memory(const AttackTarget *target) {
     (void)target;
     return mmap(NULL, (size_t)3 << 30, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE,
                 -1, 0) != MAP_FAILED;

@@ -1,23 +1,23 @@
-// What strangers' code may try, tried by us.
+// What untrusted code may try, tried by us.
 #pragma once
 
 #include <stdbool.h>
 #include <sys/types.h>
 
-typedef struct Target {
+typedef struct AttackTarget {
     bool tools, sanitized;
     const char *visible; // a file that may be read
     const char *out;     // a folder that may be written to where `tools`
     const char *secret;  // a file that is readable and writable for all but for the jail
     const char *solutions;
     pid_t grader;
-} Target;
+} AttackTarget;
 
 typedef struct Attack {
     const char *name;
-    bool (*run)(const Target *target); // true: it got through
-    bool only_draw;                    // allowed to the compiler
-    bool not_sanitized;                // allowed where a sanitizer needs it
+    bool (*run)(const AttackTarget *target); // true: it got through
+    bool only_draw;                          // allowed to the compiler
+    bool not_sanitized;                      // allowed where a sanitizer needs it
 } Attack;
 
 // Each list ends with a zeroed attack.

@@ -1,4 +1,4 @@
-// The parts of the shim, the last thing of ours that runs before a stranger's code. It stands alone: no other
+// The parts of the shim, the last thing of ours that runs before untrusted code. It stands alone: no other
 // module of the grader is linked into it.
 #pragma once
 

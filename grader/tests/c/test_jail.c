@@ -1,5 +1,5 @@
 // The jail by its parts: the self-test refuses what is weakened on purpose, no process is left behind,
-// archives are opened or refused. What strangers' code may try in it stands in hostile.c.
+// archives are opened or refused. What untrusted code may try in it stands in hostile.c.
 #include "scene/check.h"
 #include "scene/count.h"
 #include "base/places.h"

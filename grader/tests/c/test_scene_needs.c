@@ -30,7 +30,7 @@ static void check_scene(const char *id, const SceneNeeds *economy, const char *r
     assert_non_null(strstr(readme, text));
 }
 
-// Under the sanitizers, which make all labs anew, one will do.
+// Under the sanitizers, which make all labs again, one will do.
 static void check_lab(const char *id, void *readme) {
     static SceneNeeds economies[ECONOMY_MAX_SCENES];
     Rubric rubric;

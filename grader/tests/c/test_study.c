@@ -167,7 +167,7 @@ static void test_state(void **unused) {
     files_remove(folder);
 }
 
-static void add_finding(Findings *findings, double ms, double inside, double off, bool submission) {
+static void add_finding(SceneFindings *findings, double ms, double inside, double off, bool submission) {
     Finding *finding = &findings->findings[findings->count];
     *finding = (Finding){.method = {.lab = "05", .family = "linear", .submission = submission},
                          .drawn = true,
@@ -180,10 +180,10 @@ static void add_finding(Findings *findings, double ms, double inside, double off
 // errs.
 static void test_need(void **unused) {
     (void)unused;
-    static Findings findings;
+    static SceneFindings findings;
     static const StudyScene scene = {.name = "made up", .tolerance = 1e-4};
     char text[512];
-    findings = (Findings){.scene = &scene};
+    findings = (SceneFindings){.scene = &scene};
     add_finding(&findings, 1, 0.5, 0.1, false);      // leaks
     add_finding(&findings, 2, 0.00001, 0.51, false); // its edge is off; next cheaper
     add_finding(&findings, 3, 0, 0.5, false);        // needed

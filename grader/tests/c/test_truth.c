@@ -146,6 +146,30 @@ static void test_penumbra_width(void **unused) {
     assert_true(area_visibility(TRUTH_RECTANGLE, (float)(width / 2 + step), (float)size / 2) == 1);
 }
 
+// The same width, when the size is the scene's lamp's own: the half side R of a square that looks down, whose
+// axes are a unit long. The sky is above a spot light and a point light alike; behind it, only the latter
+// shines.
+static void test_lamp_with_an_extent(void **unused) {
+    (void)unused;
+    const double radius = 0.6, w = radius * OCCLUDER_HEIGHT / (LIGHT_HEIGHT - OCCLUDER_HEIGHT);
+    const TruthQuery query = {.kind = TRUTH_LIGHT, .samples = SAMPLES, .seed = SEED};
+    print_message("seed %d\n", SEED);
+    for (int kind = LIGHT_SPOT; kind <= LIGHT_POINT; kind += LIGHT_POINT - LIGHT_SPOT)
+        for (int i = -9; i <= 9; i++) {
+            Scene scene = half_plane();
+            closed_light(&scene, (LightKind)kind, vec3_make(0, 0, LIGHT_HEIGHT), vec3_make(0, 0, 0), 1, 0, 1,
+                         8);
+            scene.lights[0].extent = (float)radius;
+            double t = i / 10.0, expected = 0.5 + t / 2;
+            double measured =
+                truth_point(&scene, vec3_make((float)(t * w), 0, 0), vec3_make(0, 0, 1), &query, TILES);
+            assert_true(fabs(measured - expected) < truth_point_noise(expected, SAMPLES * TILES));
+            double behind =
+                truth_point(&scene, vec3_make(0.1f, 0, LIGHT_HEIGHT + 1), vec3_make(0, 0, -1), &query, 1);
+            assert_true(behind == (kind == LIGHT_POINT));
+        }
+}
+
 // A lamp at height 4 that looks to +x lights x > 0 only; a second one that the sheet hides from the point, a
 // third one that it does not.
 static void test_lights(void **unused) {
@@ -234,6 +258,7 @@ static void test_refusals(void **unused) {
     const TruthQuery refused[] = {{.kind = TRUTH_LIGHT},
                                   {.kind = TRUTH_LIGHTS},
                                   {.kind = TRUTH_DISC},
+                                  {.kind = TRUTH_RECTANGLE, .samples = -1},
                                   {.kind = TRUTH_OCCLUSION, .samples = TRUTH_MAX_SAMPLES + 1}};
     for (size_t i = 0; i < COUNT(refused); i++) {
         check_clear();
@@ -247,11 +272,15 @@ static void test_refusals(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sphere),         cmocka_unit_test(test_directional_sphere),
-        cmocka_unit_test(test_square),         cmocka_unit_test(test_penumbra),
-        cmocka_unit_test(test_penumbra_width), cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_seeds),          cmocka_unit_test(test_back_faces),
-        cmocka_unit_test(test_refusals)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sphere),
+                                       cmocka_unit_test(test_directional_sphere),
+                                       cmocka_unit_test(test_square),
+                                       cmocka_unit_test(test_penumbra),
+                                       cmocka_unit_test(test_penumbra_width),
+                                       cmocka_unit_test(test_lights),
+                                       cmocka_unit_test(test_lamp_with_an_extent),
+                                       cmocka_unit_test(test_seeds),
+                                       cmocka_unit_test(test_back_faces),
+                                       cmocka_unit_test(test_refusals)};
     return cmocka_run_group_tests_name("truth", tests, NULL, NULL);
 }

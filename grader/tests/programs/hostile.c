@@ -33,7 +33,7 @@ static struct {
     int passed, failed;
 } suite;
 
-typedef struct Case {
+typedef struct AttackCase {
     char name[64], must[128];
     bool outside;
     char *text; // owned
@@ -41,7 +41,7 @@ typedef struct Case {
     WorkerClient client;
     Reply reply;
     Image image;
-} Case;
+} AttackCase;
 
 static void verdict(const char *name, const char *trouble, const char *words) {
     if (trouble)
@@ -63,7 +63,7 @@ static bool find_line(const char *text, const char *key, char *value, size_t siz
     return at != NULL;
 }
 
-static bool case_read(Case *one, const char *file) {
+static bool case_read(AttackCase *one, const char *file) {
     char outside[16], by_route[32];
     snprintf(by_route, sizeof by_route,
              "// %s must: ", suite.jail ? jail_route_name(suite.jail->route) : "-");
@@ -78,7 +78,7 @@ static bool case_read(Case *one, const char *file) {
     return one->must[0] || check_fail("%s has no line \"// must:\"", file);
 }
 
-static bool write_lab(const Case *one) {
+static bool write_lab(const AttackCase *one) {
     char path[FILES_PATH];
     char *head = read_part("head.part"), *tail = read_part("tail.part");
     files_join(path, one->client.folder, "lab.c");
@@ -100,7 +100,7 @@ static bool write_lab(const Case *one) {
     return file != NULL;
 }
 
-static bool write_shader(const Case *one) {
+static bool write_shader(const AttackCase *one) {
     char name[80], path[FILES_PATH];
     snprintf(name, sizeof name, "%s.frag", one->name);
     files_join(path, suite.parts, name);
@@ -111,13 +111,13 @@ static bool write_shader(const Case *one) {
     return ok;
 }
 
-static bool said(const Case *one, const char *words, size_t length) {
+static bool said(const AttackCase *one, const char *words, size_t length) {
     char wanted[128];
     snprintf(wanted, sizeof wanted, "%.*s", (int)length, words);
     return strstr(one->log, wanted) || strstr(check_message(), wanted);
 }
 
-static void judge_compilation(const Case *one, bool compiled) {
+static void judge_compilation(const AttackCase *one, bool compiled) {
     const char *words = one->must + strlen("uncompiled "), *bar = strchr(words, '|');
     bool stopped =
         !compiled && (said(one, words, strcspn(words, "|")) || (bar && said(one, bar + 1, strlen(bar + 1))));
@@ -134,7 +134,7 @@ static bool all_marked(const Image *image) {
     return true;
 }
 
-static const char *judge_frame(const Case *one, DrawResult result) {
+static const char *judge_frame(const AttackCase *one, DrawResult result) {
     const char *message = one->reply.message;
     if (!suite.jail)
         return strstr(message, "GOT THROUGH") ? NULL : "outside its attack does not get through";
@@ -156,10 +156,11 @@ static const char *judge_frame(const Case *one, DrawResult result) {
     return strcmp(one->must, "drawn") == 0 && one->image.rgba[3] == 255 ? NULL : "unknown: must";
 }
 
-static void run_frame(Case *one) {
+static void run_frame(AttackCase *one) {
     static Request request;
     request = (Request){.magic = PROTOCOL_MAGIC, .width = 32, .height = 24, .view = VIEW_PICTURE};
-    INVARIANT(scene_make(&request.scene, "table spot", &(Random){1}));
+    bool made = scene_make(&request.scene, "table spot", &(Random){1});
+    INVARIANT(made);
     if (strcmp(one->must, "timeout") == 0)
         one->client.seconds = SECONDS;
     DrawResult result = worker_client_draw(&one->client, &request, &one->image, &one->reply);
@@ -172,11 +173,11 @@ static void run_frame(Case *one) {
 }
 
 static void run_case(const char *file, void *context) {
-    static Case one;
+    static AttackCase one;
     (void)context;
     if (!strstr(file, ".c"))
         return;
-    one = (Case){.client = {.trust = TRUST_NOBODY, .jail = suite.jail, .seconds = 20}};
+    one = (AttackCase){.client = {.trust = TRUST_NOBODY, .jail = suite.jail, .seconds = 20}};
     check_clear();
     bool ok = case_read(&one, file);
     bool left_out = ok && ((!suite.jail && !one.outside) ||
@@ -228,7 +229,9 @@ static void count_file(const char *name, void *context) {
 static void judge_leftovers(void) {
     static const char *const places[] = {"/tmp", "/var/tmp", "/dev/shm", "/run", "/", "/home"};
     int processes = 0, files = 0, strays = 0;
-    INVARIANT(files_list("/proc", count_process, &processes) && files_list(suite.folder, count_file, &files));
+    bool listed =
+        files_list("/proc", count_process, &processes) && files_list(suite.folder, count_file, &files);
+    INVARIANT(listed);
     for (unsigned i = 0; i < COUNT(places); i++) {
         char path[FILES_PATH];
         files_join(path, places[i], "shadow-lab-hostile");

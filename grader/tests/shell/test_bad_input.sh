@@ -44,13 +44,27 @@ expect unknown-lab 2 'there is no lab "99"'
 put crash '*(volatile int *)frame->width = 1;'
 case_ crash 1 "it crashed: Segmentation fault (SEGV) in shadow map (lab.c:"
 
+# The other checks go on in a new worker.
+put crash-now-and-then 'if (frame->scene->lights[0].kind == LIGHT_DIRECTIONAL) *(volatile int *)frame->width = 1;'
+case_ crash-now-and-then 1 "it crashed: Segmentation fault (SEGV) in shadow map (lab.c:" "ok    10.00/10  3.1" "ok    12.00/12  3.2" \
+    "FAIL   0.00/12  3.3" "ok     8.00/8   3.7"
+
+put exit-now-and-then 'if (frame->scene->lights[0].kind == LIGHT_DIRECTIONAL) exit(0);'
+case_ exit-now-and-then 1 "it ended by itself with exit status 0" "ok    10.00/10  3.1" "FAIL   0.00/12  3.3" "ok     8.00/8   3.7"
+
 put endless-recursion 'draw_map(frame);'
 case_ endless-recursion 1 "it crashed: Segmentation fault (SEGV) in shadow map"
 
 limit=${QUICK:+12} limit=${limit:-3} # sanitizers are slow
 timeout=$limit
 put endless-loop 'for (;;) {}'
-case_ endless-loop 1 "it was stopped after $limit s: is there an endless loop?" ", timeout"
+case_ endless-loop 1 "it was stopped after $limit s in shadow map (lab.c:" "): is there an endless loop?" ", timeout"
+
+for where in create destroy; do
+    solved "endless-$where" >/dev/null
+    sed -i "/^static [a-z]* $where(/a for (;;) {}" "$work/endless-$where"/*/lab.c
+    case_ "endless-$where" 1 "it was stopped after $limit s in $where (lab.c:" ", timeout"
+done
 
 put sleeper 'sleep(1000);'
 case_ sleeper 1 "it was stopped after $limit s" ", timeout"

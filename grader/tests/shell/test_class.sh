@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Classes: strange names, killed and resumed runs, faults of ours, the CSV, the pages and the JSON.
+# Classes: odd names, killed and resumed runs, faults of ours, the CSV, the pages and the JSON.
 set -u
 source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
@@ -67,7 +67,7 @@ grades "${common[@]}" --output "$work/whole" --only "nobody"
 expect "nobody" 3 'holds no submission "nobody"'
 echo torn >"$work/whole/results/$(ls "$work/whole/results" | head -1)"
 grades "${common[@]}" --output "$work/whole" --resume
-expect "a torn record is made anew" 0 "were graded before"
+expect "a torn record is made again" 0 "done before"
 cmp -s "$work/whole/grades.csv" "$work/killed/grades.csv" && ok || bad "after a torn record"
 usage() { local name=$1 text=$2; shift 2; grades "$@"; expect "$name" 2 "$text"; }
 usage "a class without OUT" "--class needs --output" --class "$class"
@@ -92,7 +92,7 @@ cp -r solutions/03-shadow-map "$work/two/both/wrapped"
 grades --class "$work/two" --output "$work/twice" --lab 03
 expect "two folders of a lab" 0 "both: 100.00 of 100"
 
-# A fault of ours is nobody's 0: here our own solution is broken. It is tried again once it is mended.
+# A fault of ours is nobody's 0: here our own solution is broken. It is tried again once it is fixed.
 mkdir -p "$work/home/build" "$work/few/one" && cp -r solutions/03-shadow-map "$work/few/one"
 cp -r "$root"/{common,shaders,solutions,grader} "$work/home" && cp -r "$BUILD"/{grade,worker,jail_*,include} "$work/home/build"
 sed -i 's/^#ifdef SOLUTION/int broken(;\n&/' "$work/home/solutions/03-shadow-map/lab.c"
@@ -102,7 +102,7 @@ expect "our own fault" 3 "one: not graded" "1 not graded" "--resume tries again"
 [[ $(tail -1 "$work/fault/grades.csv") == '"one",,,not graded' ]] && ok || bad "our fault is no grade" "$(cat "$work/fault/grades.csv")"
 cp solutions/03-shadow-map/lab.c "$work/home/solutions/03-shadow-map/lab.c"
 grades --class "$work/few" --output "$work/fault" --resume
-expect "our fault, mended" 0 "1 submissions, 0 not graded"
+expect "our fault, fixed" 0 "1 submissions, 0 not graded"
 [[ $(tail -1 "$work/fault/grades.csv") == '"one",100.00,100.00,passed' ]] && ok || bad "graded after all" "$(cat "$work/fault/grades.csv")"
 grade=$root/$BUILD/grade
 
@@ -118,7 +118,7 @@ expect "a loop that ignores SIGXCPU" 0 '"status": "timeout"' "it was stopped aft
 python3 - "$work/whole" <<'PYTHON' && ok || bad "records and class.json fit their schemas"
 import glob, json, sys, jsonschema
 load = lambda path: json.load(open(path))
-lab, record, plan = load("grader/report/schema.json"), load("grader/class/record.schema.json"), load("grader/class/class.schema.json")
+lab, record, plan = load("grader/report/report.schema.json"), load("grader/class/record.schema.json"), load("grader/class/class.schema.json")
 jsonschema.validate(load(f"{sys.argv[1]}/class.json"), plan)
 for path in glob.glob(f"{sys.argv[1]}/results/*.json"):
     jsonschema.validate(load(path), record)

@@ -13,8 +13,8 @@ grades --seed 1 --format json labs
 [[ $(field 'all(c["cause"] for l in r["labs"] for c in l["checks"])') == True ]] && ok || bad "each failed check has a cause" "$out"
 
 # The schema takes what the grader prints, and refuses something wrong.
-valid() { python3 -c 'import json,sys,jsonschema; jsonschema.validate(json.load(sys.stdin), json.load(open("grader/report/schema.json")))' 2>/dev/null; }
-valid <<<"$out" && valid <<<"$solution_json" && ok || bad "the JSON fits grader/report/schema.json" "$out"
+valid() { python3 -c 'import json,sys,jsonschema; jsonschema.validate(json.load(sys.stdin), json.load(open("grader/report/report.schema.json")))' 2>/dev/null; }
+valid <<<"$out" && valid <<<"$solution_json" && ok || bad "the JSON fits grader/report/report.schema.json" "$out"
 sed 's/"version": 1/"version": 2/' <<<"$out" | valid && bad "the schema takes a wrong version" || ok
 sed 's/"status": "failed"/"status": "sad"/' <<<"$out" | valid && bad "the schema takes a wrong status" || ok
 

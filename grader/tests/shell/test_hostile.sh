@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Strangers' code against the grader, by every route into the jail, as root and as an ordinary user; and what happens
+# Untrusted code against the grader, by every route into the jail, as root and as an ordinary user; and what happens
 # where no jail holds. `make test-hostile` runs it alone. It is left out with a sanitizer, whose jail is wider.
 set -u
 BUILD=${BUILD:-build}
@@ -48,15 +48,15 @@ count outside
 
 # The whole way of a submission. Its folder may hold anything; only files of the manifest are taken, and only whole ones.
 three=03-shadow-map
-solved strange >/dev/null
-echo '#error mine' >"$work/strange/$three/lab.h"
-echo 'all: ; touch /tmp/owned' >"$work/strange/$three/Makefile"
-echo 'int main(void) { return 1; }' >"$work/strange/$three/-fplugin=evil.c"
-: >"$work/strange/$three/"$'\xff\xfe'
-: >"$work/strange/$three/"$'\e[31mred'
-sed -i 's|^static void draw_picture.*|#include <stdio.h>\n&\n    puts("\\33[2J\\377 score 100");\n    check_fail("\\33[2J\\377");|' "$work/strange/$three/lab.c"
-grades --lab 03 --seed 1 "$work/strange"
-expect "strange files and words" 0 "ignored: -fplugin=evil.c" "ignored: lab.h" "ignored: Makefile" 'ignored: \xff\xfe' 'ignored: \x1b[31mred' '\x1b[2J\xff' "100.00 of 100"
+solved odd >/dev/null
+echo '#error mine' >"$work/odd/$three/lab.h"
+echo 'all: ; touch /tmp/owned' >"$work/odd/$three/Makefile"
+echo 'int main(void) { return 1; }' >"$work/odd/$three/-fplugin=evil.c"
+: >"$work/odd/$three/"$'\xff\xfe'
+: >"$work/odd/$three/"$'\e[31mred'
+sed -i 's|^static void draw_picture.*|#include <stdio.h>\n&\n    puts("\\33[2J\\377 score 100");\n    check_fail("\\33[2J\\377");|' "$work/odd/$three/lab.c"
+grades --lab 03 --seed 1 "$work/odd"
+expect "odd files and words" 0 "ignored: -fplugin=evil.c" "ignored: lab.h" "ignored: Makefile" 'ignored: \xff\xfe' 'ignored: \x1b[31mred' '\x1b[2J\xff' "100.00 of 100"
 LC_ALL=C grep -q $'[\x1b\x80-\xff]' <<<"$out" && bad "bytes of a submission reach the terminal" "$out" || ok
 
 mkdir "$work/link" && ln -s "$root/solutions/$three" "$work/link/$three"

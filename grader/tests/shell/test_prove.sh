@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The rubrics: solutions, skeletons, mistakes and alternatives of every lab over ten seeds, two labs side by side; and a
-# catalogue with a fault is refused.
+# The rubrics: solutions, skeletons, mistakes and alternatives of every lab over ten seeds, two labs side by side; the
+# same verdicts by both routes to OpenGL (one lab here, all by `make contexts`).
 set -u
 source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
@@ -15,4 +15,5 @@ for proof in "$work"/[0-9][0-9]; do
     [[ $(grep -c '| mistake |' "$proof") -ge 10 && $(grep -c '| alternative |' "$proof") -ge 4 ]] && ok ||
         bad "lab $(basename "$proof") has less than 10 mistakes or 4 alternatives"
 done
+out=$(grader/scripts/contexts "$BUILD" 02 2>&1) && ok || bad "the contexts differ" "$out"
 finish

@@ -37,7 +37,7 @@ expect "an unknown scene" 1 'there is no scene "moon"; the scenes are'
 with $three/rubric.json 'j["checks"][0]["view"] = "moon"' "${prove[@]}"
 expect "an unknown stage" 1 'the lab has no stage "moon"'
 with $three/rubric.json 'j["checks"][6]["scene"] = "table sun"' build/grade --lab 03 --seed 1 labs
-expect "a check whose task does not show" 3 'check "lit outside the map": seed 1 gives only' "of 3 variants in which the task shows" "mend the rubric"
+expect "a check whose task does not show" 3 'check "lit outside the map": seed 1 gives only' "of 3 variants in which the task shows" "fix the rubric"
 
 # The gates.
 export SKIP_TIDY=1

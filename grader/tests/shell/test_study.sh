@@ -11,8 +11,9 @@ table() { python3 -c 'import csv,sys; rows=list(csv.DictReader(open(sys.argv[1])
 studies --scene volumes --output "$work/one"
 expect "a study of one scene" 0 "volumes: " "chart.html"
 csv=$work/one/chart.csv
-[[ $(table "$csv" 'len(rows), {len(r) for r in rows}, None in rows[0]') == "(19, {27}, False)" ]] && ok ||
-    bad "chart.csv has 19 rows of 27 named fields" "$(table "$csv" 'len(rows), {len(r) for r in rows}')"
+count=$(table "$csv" 'len(rows)') # of the settings that the labs bring to this scene
+[[ $count -gt 10 && $(table "$csv" '{len(r) for r in rows}, None in rows[0]') == "({27}, False)" ]] && ok ||
+    bad "chart.csv has rows of 27 named fields" "$(table "$csv" 'len(rows), {len(r) for r in rows}')"
 [[ $(table "$csv" 'all(float(r[k]) >= 0 for r in rows for k in list(r)[5:])') == True ]] && ok || bad "chart.csv holds numbers"
 [[ $(table "$csv" 'all(abs(float(r["false_shadow"]) + float(r["false_light"]) - float(r["error"])) < 1e-6 for r in rows)') == True ]] &&
     ok || bad "false shadow and false light add up"
@@ -22,8 +23,8 @@ csv=$work/one/chart.csv
 python3 -c 'import sys, xml.dom.minidom as x; x.parse(sys.argv[1])' "$work/one/volumes.svg" && ok || bad "the SVG is XML"
 (($(wc -c <"$work/one/volumes.svg") < 100000)) && ok || bad "the SVG fits into a README"
 grep -qE '(src|href)="?https?:' "$work/one/chart.html" && bad "the page needs no network" || ok
-[[ $(grep -oF '"frame":"data:image/png;base64,' "$work/one/chart.html" | wc -l) == 19 ]] && ok || bad "the page holds each setting's frame"
-[[ $(grep -c '^errors' "$work/one/state") == 19 && $(grep -c '^time' "$work/one/state") == 38 ]] && ok || bad "the state has each measurement once"
+[[ $(grep -oF '"frame":"data:image/png;base64,' "$work/one/chart.html" | wc -l) == "$count" ]] && ok || bad "the page holds each setting's frame"
+[[ $(grep -c '^errors' "$work/one/state") == "$count" && $(grep -c '^time' "$work/one/state") == $((2 * count)) ]] && ok || bad "the state has each measurement once"
 
 browses chart.mjs "$work/one/chart.html"
 
@@ -54,7 +55,7 @@ expect "a submission on the chart" 0 "volumes: "
 worst='[float(r["interior_false_shadow"]) for r in rows if r["whose"] == "%s" and r["method"] == "linear" and "4096" not in r["setting"]]'
 [[ $(table "$csv" "min(${worst/\%s/submission}) > 0.05 > 50 * max(${worst/\%s/ours})") == True ]] && ok ||
     bad "no bias: acne" "$(table "$csv" "${worst/\%s/submission}, ${worst/\%s/ours}")"
-[[ $(grep -c '^time' "$work/one/state") == $((38 + 20)) ]] && ok || bad "ours are not measured again"
+[[ $(grep -c '^time' "$work/one/state") == $((2 * count + 20)) ]] && ok || bad "ours are not measured again"
 right=$(solved right 05)
 studies --scene volumes --lab 05 --submission "$right/05-pcf" --output "$work/one"
 errors='[r["error"] for r in rows if r["whose"] == "%s" and r["lab"] == "05"]'

@@ -124,13 +124,13 @@ sed -i 's/float lit = visibility/float lit = visibilty/' "$shader"
 wait_for "a shader's error is told with its line" told "shadow.frag:$(grep -n visibilty "$shader" | cut -d: -f1):"
 wait_for "and shown over the picture" keeps
 restore
-wait_for "the error goes when it is mended" shows
+wait_for "the error goes when it is fixed" shows
 in_map 'int x = "text" +;'
 wait_for "an error in C is told with its line" told "lab.c:$(grep -n '"text" +' "$c" | cut -d: -f1):"
 keys 2
 wait_for "the window lives on" titled "reference"
 keys 1 && restore
-wait_for "mended again" shows
+wait_for "fixed again" shows
 in_map '{ extern int puts(const char *); puts("said by the map pass"); }'
 wait_for "what a lab prints is seen" told "said by the map pass"
 in_map '*(volatile int *)frame->width = 1;'

@@ -1,0 +1,16 @@
+// A scene's findings as a picture for documents: log time against log error, drawn by gnuplot.
+#pragma once
+
+#include "study/finding.h"
+
+// Errors below this are drawn at it: one wrong pixel of 640 x 480 is more.
+#define CHART_LEAST_ERROR 1e-6
+
+// Writes folder/SCENE.dat and SCENE.gp and lets gnuplot make folder/SCENE.svg of them. False with a message.
+bool chart_draw(const SceneFindings *findings, const char *folder);
+
+// The place of a family in the list of the scene's families, in the order of their first setting.
+int chart_family(const SceneFindings *findings, const char *family, bool submission);
+
+// The color of a setting's family, "#rrggbb".
+const char *chart_color(const SceneFindings *findings, const Method *method);

@@ -1,0 +1,100 @@
+// The filters in the study, and the scene that shows texels and filters.
+#include "scene/count.h"
+#include "study/study_scene.h"
+#include "truth/closed_scenes.h"
+
+#include <string.h>
+
+// Plates before a wall, both square to the light: no bias is needed, and the edge shows the map's texels and
+// its filter alone, in many directions.
+static void make_edges(Scene *scene) {
+    *scene = closed_wall(3.2f, 10, glm_rad(36));
+    study_look(scene, vec3_make(2.7f, 0.7f, 4.3f), vec3_make(0.1f, 0, 0));
+    for (int i = 0; i < 4; i++)
+        study_add_turned(scene, SHAPE_BOX, vec3_make(i % 2 ? 0.9f : -0.9f, i / 2 ? 0.7f : -0.7f, 0.8f),
+                         vec3_make(0.7f, 0.3f, 0.01f), 8 + 23 * (float)i);
+    closed_light(scene, LIGHT_DIRECTIONAL, vec3_make(0, 0, 10), vec3_make(0, 0, 0), 0, 3.2f, 4, 16);
+}
+
+static const StudyScene scenes[] = {
+    {"edges",
+     "Hard light on plates: texels and filters",
+     "long edges in many directions: the texels show, and what a filter makes of them",
+     make_edges,
+     {.kind = TRUTH_LIGHT},
+     true,
+     STUDY_HARD},
+    {0},
+};
+
+typedef struct Filter {
+    const char *family;
+    int method, radius, taps; // knobs; lookups a pixel
+    float kernel;
+} Filter;
+
+static const Filter hard = {"hard", 0, 0, 1, 0}, by_hand = {"3 x 3 by hand", 1, 0, 9, 1},
+                    linear = {"linear", 2, 0, 1, 0}, diagonals = {"4 diagonals", 3, 0, 4, 1},
+                    box_5 = {"box 5 x 5", 4, 2, 25, 2}, gather = {"3 x 3 by gathers", 5, 0, 4, 1};
+
+// llvmpipe walks all branches of a shader, whatever a uniform chooses, so each filter is measured in a shader
+// in which the choice is fixed, as a course or a game would build it.
+#define FIX(method)                                                                                          \
+    {                                                                                                        \
+        .name = "method " #method " fixed",                                                                  \
+        .edits = {{"shadow.frag", "uniform int u_method;", "const int u_method = " #method ";"}},            \
+        .edit_count = 1                                                                                      \
+    }
+static const Change fixed[] = {FIX(0), FIX(1), FIX(2), FIX(3), FIX(4), FIX(5)};
+
+static void add_filter(MethodList *list, Filter filter, int size) {
+    Method *method = method_add_map(list, LAB_ID, filter.family, size, "%s", "");
+    setting_knob(&method->setting, "method", (float)filter.method);
+    method->change = &fixed[filter.method];
+    if (filter.radius > 0)
+        setting_knob(&method->setting, "kernel radius", (float)filter.radius);
+    method->taps = filter.taps;
+    method->kernel = filter.kernel;
+}
+
+static void add_box(MethodList *list, int size) {
+    int radius = size / STUDY_KERNEL, side = 2 * radius + 1;
+    Method *method = method_add_map(list, LAB_ID, "box PCF", size, "%d x %d", side, side);
+    setting_knob(&method->setting, "method", 4);
+    method->change = &fixed[4];
+    setting_knob(&method->setting, "kernel radius", (float)radius);
+    method->taps = side * side;
+    method->kernel = (float)radius;
+}
+
+static void add_to_edges(MethodList *list) {
+    const Filter filters[] = {hard, by_hand, linear, diagonals, box_5, gather};
+    for (int i = 0; i < STUDY_SIZES; i++)
+        for (unsigned f = 0; f < COUNT(filters); f++)
+            add_filter(list, filters[f], study_sizes[i]);
+}
+
+static void add_to_penumbra(MethodList *list) {
+    add_filter(list, hard, 1024);
+    add_filter(list, linear, 256);
+    for (int size = 128; size <= 512; size *= 2)
+        add_box(list, size);
+}
+
+static void add_to_volumes(MethodList *list) {
+    for (int i = 0; i < STUDY_SIZES; i++) {
+        add_filter(list, linear, study_sizes[i]);
+        add_filter(list, gather, study_sizes[i]);
+    }
+}
+
+static void add_methods(MethodList *list, const char *scene) {
+    if (strcmp(scene, "edges") == 0)
+        add_to_edges(list);
+    if (strcmp(scene, "penumbra") == 0)
+        add_to_penumbra(list);
+    if (strcmp(scene, "volumes") == 0)
+        add_to_volumes(list);
+}
+
+const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods}};

@@ -1,0 +1,66 @@
+// Ambient occlusion in the study, and the scene that it is seen in.
+#include "scene/atlas.h"
+#include "scene/count.h"
+#include "study/study_scene.h"
+#include "truth/closed_scenes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+// A floor, a wall and a box that touch, under a sky that is equally bright everywhere.
+static void make_occlusion(Scene *scene) {
+    *scene = closed_wall(1.5f, 10, 1);
+    study_look(scene, vec3_make(1.7f, 1.9f, 3.1f), vec3_make(-0.05f, 0.35f, 0));
+    scene->objects[0].world_from_object.raw[3][1] = 1.5f;
+    scene->objects[0].world_from_object.raw[3][2] = -1.2f;
+    closed_add(scene, SHAPE_PLANE, vec3_make(0, 0, 0.3f), vec3_make(1.5f, 1, 1.5f), 0);
+    closed_add(scene, SHAPE_BOX, vec3_make(-0.2f, 0.35f, -0.1f), vec3_make(0.4f, 0.35f, 0.4f), 25);
+    closed_light(scene, LIGHT_DIRECTIONAL, vec3_make(3, 8, 4), vec3_make(0, 0, 0), 0, 3, 4, 16);
+}
+
+static const StudyScene scenes[] = {
+    {"occlusion",
+     "An even sky: ambient occlusion",
+     "a corner and a contact",
+     make_occlusion,
+     {.kind = TRUTH_OCCLUSION, .samples = 1024, .seed = 1},
+     false,
+     STUDY_SOFT},
+    {0},
+};
+
+// Texels of all charts, and a ray from each of them as often as the knob says; padding is copied.
+static void add_bake(Cost *cost, const Method *method, const Scene *scene) {
+    Atlas *atlas = calloc(1, sizeof *atlas);
+    if (atlas && atlas_layout(atlas, scene, method_knob(method, "texel density", 4), 1))
+        for (int c = 0; c < atlas->chart_count; c++)
+            cost->texels += (double)atlas->charts[c].width * atlas->charts[c].height;
+    cost->rays = cost->texels * (double)method_knob(method, "rays", 64);
+    if (atlas)
+        atlas_destroy(atlas);
+    free(atlas);
+}
+
+static void add_baked(MethodList *list, int density, int rays) {
+    Method *method = method_add(list, LAB_ID, "baked", "%d texels a unit, %d rays", density, rays);
+    setting_knob(&method->setting, "texel density", (float)density);
+    setting_knob(&method->setting, "rays", (float)rays);
+    method->add_cost = add_bake;
+}
+
+static void add_methods(MethodList *list, const char *scene) {
+    const float radii[] = {0.25f, 0.5f, 1};
+    if (strcmp(scene, "occlusion") != 0)
+        return;
+    for (int density = 2; density <= 16; density *= 2)
+        for (int rays = 4; rays <= 256 && density * density * rays <= 16384; rays *= 4)
+            add_baked(list, density, rays);
+    for (unsigned i = 0; i < COUNT(radii); i++) {
+        Method *method = method_add(list, LAB_ID, "screen space", "radius %g", (double)radii[i]);
+        setting_knob(&method->setting, "method", 1);
+        setting_knob(&method->setting, "ray length", radii[i]);
+        method->taps = 16; // hemisphere_count in shaders/hemisphere.glsl
+    }
+}
+
+const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods}};
