@@ -21,6 +21,7 @@ typedef struct Functions {
     bool whole; // the text cannot be taken apart: braces do not match, or #if cuts a function in two
 } Functions;
 
+// Finds the functions of `text`, which must outlive the result.
 void functions_split(Functions *functions, const char *text);
 
 // The first definition of this name; NULL when there is none.
@@ -44,6 +45,7 @@ typedef struct Choice {
     bool outside;
 } Choice;
 
+// Is our function of this name chosen?
 bool choice_has(const Choice *choice, const char *name);
 
 // Their text with the chosen parts of ours, and with those of our functions which the chosen ones call and

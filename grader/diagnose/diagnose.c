@@ -103,6 +103,11 @@ static void name_failed(Diagnosis *this, const char *mistake, const char *hint) 
         CheckResult *check = &this->result->checks[c];
         if (!this->failed[c])
             continue;
+        if (check->has_cause && !check->yours[0].rgba) { // the worker was lost in it
+            check_append(check->mistake, sizeof check->mistake, "; %s", mistake);
+            snprintf(check->hint, sizeof check->hint, "%s", hint);
+            continue;
+        }
         name_cause(check, mistake, hint);
         if (this->named.first >= 0 && rubric->mistakes[this->named.first].task)
             check->cause_task = rubric->mistakes[this->named.first].task;

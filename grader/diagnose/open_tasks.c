@@ -57,10 +57,3 @@ void open_tasks_find(OpenTasks *tasks, const Rubric *rubric, const char *folder)
     }
     check_clear();
 }
-
-bool open_tasks_any(const OpenTasks *tasks, const Rubric *rubric) {
-    for (int t = 0; t < rubric->hint_count && t < EXAM_MAX_TASKS; t++)
-        if (tasks->open[t])
-            return true;
-    return false;
-}

@@ -13,5 +13,3 @@ typedef struct OpenTasks {
 
 // Reads the rubric's files in `folder`; what cannot be read has no open tasks.
 void open_tasks_find(OpenTasks *tasks, const Rubric *rubric, const char *folder);
-
-bool open_tasks_any(const OpenTasks *tasks, const Rubric *rubric);

@@ -147,13 +147,10 @@ static void draw_row(LabResult *result, ProofRow *row, const Painter *painter, E
 // Most mistakes are named by their pictures alone, as in the student's kit. Where they draw nothing, only the
 // part with the fault can tell.
 static bool name_causes(LabResult *result, ProofRow *row, Exam *exam) {
-    if (!diagnose(result, exam, &row->contender, false))
-        return false;
-    const ProofRow before = *row;
-    if (row->kind != KIND_MISTAKE || named_right(result, row))
-        return true;
-    memcpy(row->other, before.other, sizeof row->other);
-    return diagnose(result, exam, &row->contender, true);
+    ProofRow unnamed = *row;
+    return diagnose(result, exam, &row->contender, false) &&
+           (row->kind != KIND_MISTAKE || named_right(result, &unnamed) ||
+            diagnose(result, exam, &row->contender, true));
 }
 
 // Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from

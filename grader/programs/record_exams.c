@@ -1,6 +1,6 @@
-// record_exams [--lab NN] OUTPUT SEED...: records the exams of all labs (or one) for these seeds, for the student's
-// kit (see exam/exam_file.h): what is drawn, the rubrics, the hints, and the mistakes' names and hints, but nothing
-// of how they are made.
+// record_exams [--lab NN] OUTPUT SEED...: records the exams of all labs (or one) for these seeds, for the
+// student's kit (see exam/exam_file.h): what is drawn, the rubrics, the hints, and the mistakes' names and
+// hints, but nothing of how they are made.
 #include "scene/check.h"
 #include "exam/lab_exam.h"
 #include "base/places.h"
