@@ -10,10 +10,12 @@
 #include "scene/mathx.h"
 #include "program.h"
 #include "scene/scene.h"
-#include "shadow_map.h"
-#include "target.h"
 
 #include <stdbool.h>
+
+#ifndef LAB_WITHOUT_EARLIER // which is then included beside it
+#include "earlier.h"
+#endif
 
 // UNUSED(frame, program); keeps the compiler quiet about what only a later task uses. Values
 // and functions of any type.

@@ -26,7 +26,10 @@ mat4s shadow_map_clip_from_world(const Light *light) {
     mat4s clip_from_light = light->kind == LIGHT_DIRECTIONAL
                                 ? glms_ortho(-r, r, -r, r, light->near_plane, light->far_plane)
                                 : glms_perspective(light->fov_y, 1, light->near_plane, light->far_plane);
-    return glms_mat4_mul(clip_from_light, glms_lookat(light->position, light->target, vec3_make(0, 1, 0)));
+    mat4s light_from_world = light_is_overhead(light)
+                                 ? light_view_from_overhead(light)
+                                 : glms_lookat(light->position, light->target, vec3_make(0, 1, 0));
+    return glms_mat4_mul(clip_from_light, light_from_world);
 }
 
 void shadow_map_begin(const ShadowMap *map) {

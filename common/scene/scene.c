@@ -1,7 +1,28 @@
 #include "scene/scene.h"
 
+// A view is steadier the farther its up vector lies from the line of sight; nearer than this (a tangent) +y
+// says nothing any more.
+static const float STRAIGHT = 1e-3f;
+
+static bool is_straight(vec3s eye, vec3s target) {
+    vec3s line = glms_vec3_sub(target, eye);
+    return hypotf(line.x, line.z) <= STRAIGHT * fabsf(line.y);
+}
+
+static mat4s view_from_world(vec3s eye, vec3s target) {
+    return glms_lookat(eye, target, is_straight(eye, target) ? vec3_make(0, 0, -1) : vec3_make(0, 1, 0));
+}
+
+bool light_is_overhead(const Light *light) {
+    return is_straight(light->position, light->target);
+}
+
+mat4s light_view_from_overhead(const Light *light) {
+    return glms_lookat(light->position, light->target, vec3_make(0, 0, -1));
+}
+
 mat4s camera_view_from_world(const Camera *camera) {
-    return glms_lookat(camera->eye, camera->target, vec3_make(0, 1, 0));
+    return view_from_world(camera->eye, camera->target);
 }
 
 mat4s camera_clip_from_view(const Camera *camera, float aspect) {
@@ -9,7 +30,7 @@ mat4s camera_clip_from_view(const Camera *camera, float aspect) {
 }
 
 void light_axes(const Light *light, vec3s *right, vec3s *up) {
-    mat4s view = glms_lookat(light->position, light->target, vec3_make(0, 1, 0));
+    mat4s view = view_from_world(light->position, light->target);
     *right = vec3_make(view.m00, view.m10, view.m20);
     *up = vec3_make(view.m01, view.m11, view.m21);
 }

@@ -36,7 +36,7 @@ typedef struct Light {
 } Light;
 
 typedef struct Camera {
-    vec3s eye, target; // world; up is +y
+    vec3s eye, target; // world; up is +y, where it gives a view
     float fov_y;       // radians
     float near_plane, far_plane;
 } Camera;
@@ -65,11 +65,20 @@ bool scene_make(Scene *scene, const char *name, Random *random);
 // Name of the i-th scene, NULL past the last.
 const char *scene_name(int i);
 
+// A camera that looks straight up or down has -z for its up vector, for +y gives no view there. So has a
+// light.
+//
 // From the world to the camera, which looks along -z there.
 mat4s camera_view_from_world(const Camera *camera);
 
 // aspect = width / height of the picture.
 mat4s camera_clip_from_view(const Camera *camera, float aspect);
+
+// Does the light look straight up or down, so that +y cannot be its up vector?
+bool light_is_overhead(const Light *light);
+
+// From the world to such a light, with -z as its up vector.
+mat4s light_view_from_overhead(const Light *light);
 
 // The unit vectors to the right and up of the light's map, in the world. A square lamp is position + a *
 // right + b * up with |a|, |b| <= extent.

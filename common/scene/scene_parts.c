@@ -2,6 +2,8 @@
 
 #include "scene/check.h"
 
+#include <string.h>
+
 vec3s part_color(Random *random) {
     return vec3_make(random_range(random, 0.35f, 0.95f), random_range(random, 0.35f, 0.95f),
                      random_range(random, 0.35f, 0.95f));
@@ -35,18 +37,22 @@ Object *part_floor(Scene *scene, float half_size, Random *random) {
 Light *part_light(Scene *scene, LightKind kind, vec3s position, vec3s target) {
     INVARIANT(scene->light_count < SCENE_MAX_LIGHTS);
     Light *light = &scene->lights[scene->light_count++];
+    Random aside = {0};
+    memcpy(&aside.state, &position, sizeof aside.state);
     *light = (Light){.kind = kind,
                      .position = position,
                      .target = target,
                      .color = vec3_make(0.8f, 0.8f, 0.75f),
                      .fov_y = glm_rad(50),
                      .half_size = 4.5f,
-                     .near_plane = 4, // near and far close around the scene: more of the map's range is used
-                     .far_plane = 16};
+                     // Near and far close around the scene: more of the map's range is used.
+                     .near_plane = random_range(&aside, 3.2f, 4),
+                     .far_plane = random_range(&aside, 15.5f, 18)};
     return light;
 }
 
 void part_begin(Scene *scene, Random *random) {
+    Random aside = {~random->state}; // takes nothing from what is drawn after it
     float azimuth = random_range(random, -35, 35), elevation = random_range(random, 28, 45);
     vec3s target = vec3_make(0, 0.4f, 0);
     float dim = random_range(random, 0.15f, 0.3f);
@@ -54,8 +60,8 @@ void part_begin(Scene *scene, Random *random) {
         (Scene){.camera = {.eye = part_orbit(target, azimuth, elevation, random_range(random, 8, 9.5f)),
                            .target = target,
                            .fov_y = glm_rad(40),
-                           .near_plane = 0.5f,
-                           .far_plane = 60},
+                           .near_plane = random_range(&aside, 0.25f, 0.8f),
+                           .far_plane = random_range(&aside, 45, 80)},
                 .ambient = vec3_make(dim, dim, dim * 1.1f),
                 .background = vec3_make(random_range(random, 0.05f, 0.2f), random_range(random, 0.1f, 0.2f),
                                         random_range(random, 0.2f, 0.35f))};

@@ -19,7 +19,7 @@ vec3s part_color(Random *random);
 // A point at `distance` from `target`: azimuth about +y from +z, elevation above the horizon, in degrees.
 vec3s part_orbit(vec3s target, float azimuth, float elevation, float distance);
 
-// An empty scene with a camera that looks down at the origin, and colours.
+// An empty scene with a camera that looks down at the origin, near and far planes of its own, and colours.
 void part_begin(Scene *scene, Random *random);
 
 // An object turned about +y by `turn` degrees.
@@ -28,7 +28,8 @@ Object *part_object(Scene *scene, Shape shape, vec3s center, vec3s half_size, fl
 // A square floor at y = 0 without highlights.
 Object *part_floor(Scene *scene, float half_size, Random *random);
 
-// A light that reaches from 4 to 16 units before it, with room for the table in its map.
+// A light that reaches from about 4 to about 16 units before it (both differ with its position), with room
+// for the table in its map.
 Light *part_light(Scene *scene, LightKind kind, vec3s position, vec3s target);
 
 // A place for a light above the origin: behind the casters as the camera sees them, left or right, so that

@@ -18,7 +18,8 @@ bool places_find_lab(char path[FILES_PATH], const char *id);
 // The same inside another folder that is shaped like labs/.
 bool places_find_lab_in(char path[FILES_PATH], const char *parent, const char *id);
 
-// Calls visit with the id ("02") of each lab of ours, in order.
+// Calls visit with the id ("02") of each lab of ours, in order. False with a message when two folders
+// have one number.
 bool places_list_labs(void (*visit)(const char *id, void *context), void *context);
 
 // Does an entry's name read "NN-..."?

@@ -259,6 +259,16 @@ bool process_exchange(Process *process, const void *request, size_t request_size
     return false;
 }
 
+bool process_take_rest(Process *process, void *reply, size_t size) {
+    size_t taken = 0;
+    if (process->deadline <= 0 || process->replies < 0)
+        return false; // it was never started
+    fcntl(process->replies, F_SETFL, O_NONBLOCK);
+    for (ssize_t n = 1; n > 0 && taken<size; taken += n> 0 ? (size_t)n : 0)
+        n = read(process->replies, (char *)reply + taken, size - taken);
+    return taken == size;
+}
+
 void process_forget_output(Process *process) {
     process->printed = 0;
     process->text[0] = '\0';

@@ -63,8 +63,7 @@ static void write_distribution(Page *page, const Table *table, int n) {
 }
 
 typedef struct Cause {
-    const char *lab, *task, *name;
-    size_t length;         // of the name that counts
+    const char *lab, *task, *kind;
     int submissions, last; // last: the entry that was counted last
 } Cause;
 
@@ -74,17 +73,16 @@ typedef struct Causes {
 } Causes;
 
 static bool same_cause(const Cause *a, const Cause *b) {
-    return a->length == b->length && strncmp(a->name, b->name, a->length) == 0 && strcmp(a->lab, b->lab) == 0;
+    return strcmp(a->kind, b->kind) == 0 && strcmp(a->lab, b->lab) == 0;
 }
 
-// What stands behind a semicolon are the numbers of one picture (error_kind).
 static void count_cause(Causes *causes, const char *lab, const json_t *check, int entry) {
-    const char *name = table_text(json_object_get(check, "cause"), "mistake");
-    const Cause cause = {lab, table_text(check, "task"), name, strcspn(name, ";"), 0, -1};
+    const Cause cause = {lab, table_text(check, "task"), table_text(json_object_get(check, "cause"), "kind"),
+                         0, -1};
     int i = 0;
     while (i < causes->count && !same_cause(&causes->list[i], &cause))
         i++;
-    if (!name[0] || i == MAX_CAUSES)
+    if (!cause.kind[0] || i == MAX_CAUSES)
         return;
     if (i == causes->count)
         causes->list[causes->count++] = cause;
@@ -97,7 +95,7 @@ static int by_frequency(const void *a, const void *b) {
     if (x->submissions != y->submissions)
         return y->submissions - x->submissions;
     int lab = strcmp(x->lab, y->lab);
-    return lab ? lab : strcmp(x->name, y->name);
+    return lab ? lab : strcmp(x->kind, y->kind);
 }
 
 static void count_causes(Causes *causes, const Table *table) {
@@ -113,7 +111,6 @@ static void count_causes(Causes *causes, const Table *table) {
 
 static void write_causes(Page *page, const Table *table) {
     static Causes causes;
-    char name[256];
     count_causes(&causes, table);
     fputs("<h2>The commonest mistakes</h2>\n", page->out);
     if (causes.count == 0) {
@@ -126,8 +123,7 @@ static void write_causes(Page *page, const Table *table) {
         fputs("<tr>", page->out);
         page_cell(page, causes.list[i].lab);
         page_cell(page, causes.list[i].task);
-        snprintf(name, sizeof name, "%.*s", (int)causes.list[i].length, causes.list[i].name);
-        page_cell(page, name);
+        page_cell(page, causes.list[i].kind);
         bar_cell(page, causes.list[i].submissions, causes.list[0].submissions);
         fputs("</tr>\n", page->out);
     }

@@ -1,6 +1,7 @@
 #include "compile/lab_folder.h"
 
 #include "scene/check.h"
+#include "compile/given.h"
 #include "base/hash.h"
 #include "base/places.h"
 
@@ -27,15 +28,26 @@ static bool replace_text(char **text, char *changed) {
     return changed != NULL;
 }
 
+// False with a message that names the mistake and the edit.
+static bool apply_edit(char **text, const Rubric *rubric, const Change *change, int e) {
+    char reason[1024];
+    check_clear();
+    if (replace_text(text, task_blocks_edit(*text, &change->edits[e])))
+        return true;
+    snprintf(reason, sizeof reason, "%s", check_message());
+    check_clear();
+    const JsonPlace outer = rubric_change_place(rubric, change);
+    const JsonPlace place = json_fields_enter(&outer, "edits", (size_t)e, NULL);
+    return json_fields_fail(&place, "find", "%s", reason);
+}
+
 static bool apply_edits(Texts *texts, const Rubric *rubric, const Change *change) {
     for (int e = 0; change && e < change->edit_count; e++) {
         int i = 0;
         while (i < rubric->file_count && strcmp(rubric->files[i], change->edits[e].file) != 0)
             i++;
-        if (i == rubric->file_count)
-            return check_fail("\"%s\" edits %s, which rubric.json does not list", change->name,
-                              change->edits[e].file);
-        if (!replace_text(&texts->of[i], task_blocks_edit(texts->of[i], &change->edits[e])))
+        INVARIANT(i < rubric->file_count); // rubric_load has looked
+        if (!apply_edit(&texts->of[i], rubric, change, e))
             return false;
     }
     return true;
@@ -55,6 +67,14 @@ static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
         if (!(texts->of[i] = lab_folder_source(rubric, i, solved)))
             return false;
     return true;
+}
+
+bool lab_folder_can_change(const Rubric *rubric, const Change *change) {
+    Texts texts = {0};
+    const bool ok =
+        read_ours(&texts, rubric, (Solved){SOLVED_ALL, NULL}) && apply_edits(&texts, rubric, change);
+    free_texts(&texts);
+    return ok;
 }
 
 // The worker stands for common/: it is linked again when a header or a function there changes.
@@ -84,7 +104,8 @@ static bool write_texts(const char *folder, const Rubric *rubric, const Texts *t
 static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts *texts) {
     char aside[FILES_PATH], log[COMPILE_LOG];
     snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
-    if (!files_make_folder(aside) || !write_texts(aside, rubric, texts))
+    if (!files_make_folder(aside) || !write_texts(aside, rubric, texts) ||
+        !given_place(aside, rubric->id, NULL))
         return false;
     if (!compiler_build(aside, NULL, log)) {
         files_remove(aside);
@@ -110,28 +131,27 @@ bool lab_folder_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solve
     return ok;
 }
 
-// Does the compiler of C read it?
-static bool is_compiled(const char *name) {
-    const size_t length = strlen(name);
-    return length > 2 && name[length - 2] == '.' && (name[length - 1] == 'c' || name[length - 1] == 'h');
-}
-
-static bool same_file(const char *folder, const char *other, const char *name) {
-    char path[FILES_PATH], other_path[FILES_PATH];
+static bool is_same_file(const char *folder, const char *earlier, const char *name) {
+    char path[FILES_PATH], old_path[FILES_PATH];
     files_join(path, folder, name);
-    files_join(other_path, other, name);
-    char *text = files_read(path, DERIVE_MAX_FILE), *other_text = files_read(other_path, DERIVE_MAX_FILE);
-    bool same = text && other_text && strcmp(text, other_text) == 0;
+    files_join(old_path, earlier, name);
+    char *text = files_read(path, DERIVE_MAX_FILE), *old = files_read(old_path, DERIVE_MAX_FILE);
+    const bool same = text && old && strcmp(text, old) == 0;
     free(text);
-    free(other_text);
+    free(old);
     return same;
 }
 
-// Takes lab.so from an earlier folder; false when it was made from something else there.
+static bool is_of_c(const char *name) {
+    const char *dot = strrchr(name, '.');
+    return dot && (strcmp(dot, ".c") == 0 || strcmp(dot, ".h") == 0);
+}
+
+// Takes lab.so from an earlier folder; false when a file that goes into it is not the same there.
 static bool take_library(const char *folder, const char *earlier, const Rubric *rubric) {
     char path[FILES_PATH], old_path[FILES_PATH];
     for (int i = 0; i < rubric->file_count; i++)
-        if (is_compiled(rubric->files[i]) && !same_file(folder, earlier, rubric->files[i]))
+        if (is_of_c(rubric->files[i]) && !is_same_file(folder, earlier, rubric->files[i]))
             return false;
     files_join(path, folder, "lab.so");
     files_join(old_path, earlier, "lab.so");
@@ -148,7 +168,7 @@ bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rub
         ok = texts.of[i] && replace_text(&texts.of[i], task_blocks_select(rubric->files[i], texts.of[i],
                                                                           (Solved){SOLVED_ALL, NULL}, true));
     }
-    ok = ok && write_texts(folder, rubric, &texts) &&
+    ok = ok && write_texts(folder, rubric, &texts) && given_place(folder, rubric->id, jail) &&
          ((earlier && take_library(folder, earlier, rubric)) || compiler_build(folder, jail, log));
     free_texts(&texts);
     return ok;
@@ -165,7 +185,7 @@ bool lab_folder_mixed(const char *folder, const char *earlier, const Rubric *rub
     Texts mixed = {0};
     char source[FILES_PATH];
     memcpy(mixed.of, texts, sizeof *texts * (size_t)rubric->file_count);
-    bool ok = write_texts(folder, rubric, &mixed) &&
+    bool ok = write_texts(folder, rubric, &mixed) && given_place(folder, rubric->id, jail) &&
               (take_library(folder, earlier, rubric) || compiler_build(folder, jail, log));
     files_join(source, folder, "lab.c");
     unlink(source);

@@ -1,31 +1,43 @@
 // What a lab is graded by: solutions/NN-name/rubric.json, mistakes.json, alternatives.json and hints.json,
-// read once.
+// read once (rubric_file.h).
 #pragma once
 
+#include "base/json_fields.h"
+#include "base/limits.h"
 #include "compile/task_blocks.h"
+#include "lab.h"
 
 #include <stdbool.h>
 
-enum { RUBRIC_MAX_CHECKS = 16, RUBRIC_MAX_FILES = 8, RUBRIC_MAX_KNOBS = 4, RUBRIC_MAX_EDITS = 6 };
+// What a knob is set to. Choices are walked through from variant to variant, from a place that the seed draws
+// for the whole check: the lists of one check walk together, so the i-th choices of all belong together.
+typedef struct KnobChoice {
+    const char *name;
+    float value; // the first choice, or the range's lower end: for who wants one setting only
+    float choices[RUBRIC_MAX_CHOICES];
+    int choice_count; // 0: see low and high
+    float low, high;  // drawn for each variant
+    bool whole;       // of the range: integers only, both ends included
+} KnobChoice;
 
 // One thing that is looked at, worth `points`.
 typedef struct Check {
     const char *name;
     const char *task;  // "3.4"; "3" for a check about the whole lab
     const char *view;  // "picture", "visibility" or a stage of the lab
-    const char *scene; // a name in common/scene/scenes.c
+    const char *scene; // a name in common/scene/scenes.c, the first of `scenes`
     int points, variants;
     bool optional; // who leaves it untouched passes without it
-    struct {
-        const char *name;
-        float value;
-    } knobs[RUBRIC_MAX_KNOBS];
+    KnobChoice knobs[LAB_MAX_KNOBS];
     int knob_count;
+    const char *scenes[RUBRIC_MAX_CHOICES]; // walked through as the knobs' choices are
+    int scene_count;                        // at least 1 in a rubric that was read
+    bool large;                             // its frames are larger than 640 x 480, see exam/exam_draw.h
 } Check;
 
 // The solution changed in a few places: a mistake (with its task and a hint) or another correct way.
 typedef struct Change {
-    const char *name, *task, *hint;
+    const char *name, *task, *hint; // an alternative has no task and no hint
     Edit edits[RUBRIC_MAX_EDITS];
     int edit_count;
 } Change;
@@ -48,14 +60,18 @@ typedef struct Rubric {
     int check_count;
     Change *mistakes, *alternatives;
     int mistake_count, alternative_count;
+    const Change *also[RUBRIC_MAX_ALSO]; // alternatives that draw other pictures, as right as the solution's
+    int also_count;
     Hint *hints;
     int hint_count;
-    struct RubricJson *json; // where the strings live
+    json_t *json; // where the strings live
 } Rubric;
 
-// Reads the files in `folder`. The message names file and entry of what is wrong.
-bool rubric_load(Rubric *rubric, const char *folder);
 void rubric_destroy(Rubric *rubric); // accepts a zeroed rubric
+
+// Where a check, or a mistake or alternative of this rubric stands in its file, for messages.
+JsonPlace rubric_check_place(const Rubric *rubric, const Check *check);
+JsonPlace rubric_change_place(const Rubric *rubric, const Change *change);
 
 // Sum of the points of all checks.
 int rubric_points(const Rubric *rubric);
@@ -68,6 +84,9 @@ int rubric_task_index(const Rubric *rubric, const char *task);
 
 // The n-th hint (from 0) of a task; NULL past the last.
 const char *rubric_hint(const Rubric *rubric, const char *task, int n);
+
+// Is the scene one of the check's?
+bool rubric_uses_scene(const Check *check, const char *scene);
 
 // The catalogued mistake, or alternative, of this name; NULL with a message when the lab has none.
 const Change *rubric_mistake(const Rubric *rubric, const char *name);

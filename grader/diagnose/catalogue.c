@@ -3,6 +3,7 @@
 #include "compile/functions.h"
 #include "compile/lab_folder.h"
 #include "exam/exam_matrix.h"
+#include "exam/frame_score.h"
 #include "scene/check.h"
 #include "score/error_kind.h"
 #include "score/score.h"
@@ -16,6 +17,8 @@ static const double NEAR = 0.2;
 // Another mistake draws nearly the same when it is not farther than this much of the distance to the
 // reference.
 static const double ALIKE = 0.02;
+// What another size of a stage, or a refused call, is worth beside a distance of pictures (0 to 255).
+static const double FACT_DISTANCE = 64;
 
 // Where our text of the file has the bytes: the function's name, "" outside of functions.
 static void name_place(char name[FUNCTIONS_NAME], const char *text, const char *find) {
@@ -53,6 +56,13 @@ static bool lies_in_fault(const Change *mistake, const Fault *fault, const Rubri
     return false;
 }
 
+// Of a frame of the student's from one of ours, in pixels and in what it tells beside them.
+static double distance_to(const CheckResult *check, int n, const Image *ours, const FrameFacts *facts) {
+    double distance = score_rmse(&check->yours[n], ours);
+    distance += frame_wrong_size(&check->facts[n], facts) ? FACT_DISTANCE : 0;
+    return distance + (check->facts[n].refused != facts->refused ? FACT_DISTANCE : 0);
+}
+
 // Sum of the distances to the mistake in one check; INFINITY when it is not near; below 0: ours cannot draw.
 static double distance_in(const CheckResult *check, int m, int c, Exam *exam, double *to_reference) {
     double sum = 0, reference = 0;
@@ -60,8 +70,8 @@ static double distance_in(const CheckResult *check, int m, int c, Exam *exam, do
         const Image *theirs = exam_mistake(exam, m, c, n);
         if (!theirs)
             return -1;
-        reference += score_rmse(&check->yours[n], &exam->variants[c][n].reference);
-        sum += score_rmse(&check->yours[n], theirs);
+        reference += distance_to(check, n, &exam->variants[c][n].reference, &exam->variants[c][n].facts);
+        sum += distance_to(check, n, theirs, &exam->mistakes[m][c][n].facts);
     }
     *to_reference += reference;
     return sum <= NEAR * reference ? sum : INFINITY;

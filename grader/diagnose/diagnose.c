@@ -23,6 +23,7 @@ typedef struct Diagnosis {
 static void name_cause(CheckResult *check, const char *mistake, const char *hint) {
     check->has_cause = true;
     snprintf(check->mistake, sizeof check->mistake, "%s", mistake);
+    snprintf(check->kind, sizeof check->kind, "%s", mistake);
     snprintf(check->hint, sizeof check->hint, "%s", hint ? hint : "");
 }
 
@@ -81,6 +82,13 @@ static bool find_suspects(Diagnosis *this) {
     return suspects_find(&this->suspects, this->result, this->exam, this->failed, among);
 }
 
+static void describe_size(CheckResult *check, const Variant *variant) {
+    const FrameFacts *yours = &check->facts[check->worst], *ours = &variant->facts;
+    snprintf(check->seen, sizeof check->seen, "the texture \"%s\" is %d x %d, and here it has to be %d x %d",
+             check->check->view, yours->stage_width, yours->stage_height, ours->stage_width,
+             ours->stage_height);
+}
+
 // What the picture shows, when it says something beside the cause.
 static void describe(CheckResult *check, int c, const Diagnosis *this) {
     const Exam *exam = this->exam;
@@ -88,7 +96,11 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
     if (!check->yours[check->worst].rgba)
         return;
     const Touch touch = result_touch(check, exam->variants[c]);
-    if (touch == TOUCH_TASK_MISSING && own >= 0 && !this->open.marked[own])
+    if (check->wrong_size)
+        describe_size(check, &exam->variants[c][check->worst]);
+    else if (check->refused && check->error == 0)
+        snprintf(check->seen, sizeof check->seen, "the picture is right here, but OpenGL refused a call");
+    else if (touch == TOUCH_TASK_MISSING && own >= 0 && !this->open.marked[own])
         snprintf(check->seen, sizeof check->seen, "your task %s has no effect here yet", check->check->task);
     else if (touch == TOUCH_AS_SKELETON)
         snprintf(check->seen, sizeof check->seen, "the picture is that of the lab as it was handed out");

@@ -2,15 +2,15 @@
 
 #include "base/files.h"
 #include "compile/lab_folder.h"
+#include "exam/frame_score.h"
 #include "scene/check.h"
-#include "score/score.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 static const double SECONDS = 2; // that one try may draw
 
-bool mixed_lab_open(MixedLab *lab, const LabResult *result, const Exam *exam, const WorkerClient *student,
+bool mixed_lab_open(MixedLab *lab, const LabResult *result, Exam *exam, const WorkerClient *student,
                     Solved solved) {
     *lab = (MixedLab){.result = result, .exam = exam, .student = student};
     for (int i = 0; i < exam->rubric->file_count; i++) {
@@ -59,27 +59,39 @@ typedef struct Drawing {
     bool alive, drew; // drew: any frame
 } Drawing;
 
-static bool passes(Drawing *drawing, const Variant *variant) {
+// Like the reference, or like one of ours that is also right.
+static bool is_right(const MixedLab *lab, const Drawing *drawing, int c, int n, const FrameFacts *facts) {
+    Exam *exam = lab->exam;
+    const Variant *variant = &exam->variants[c][n];
+    if (frame_score(&drawing->picture, facts, variant, &variant->reference).share >= SCORE_PASSED)
+        return true;
+    for (int a = 0; a < exam->rubric->also_count; a++) {
+        const Image *ours = exam_also(exam, a, c, n);
+        if (ours && frame_score(&drawing->picture, facts, variant, ours).share >= SCORE_PASSED)
+            return true;
+    }
+    return false;
+}
+
+static bool passes(const MixedLab *lab, Drawing *drawing, int c, int n) {
     static Reply reply;
     if (!drawing->alive)
         return false;
     const DrawResult drawn =
-        worker_client_draw(drawing->worker, &variant->request, &drawing->picture, &reply);
+        worker_client_draw(drawing->worker, &lab->exam->variants[c][n].request, &drawing->picture, &reply);
     drawing->alive = drawn == DRAW_OK || drawn == DRAW_FAILED;
     drawing->drew = drawing->drew || drawn == DRAW_OK;
-    return drawn == DRAW_OK &&
-           score_frame(&drawing->picture, &variant->reference, &variant->without, &variant->skeleton).share >=
-               SCORE_PASSED;
+    return drawn == DRAW_OK && is_right(lab, drawing, c, n, &reply.facts);
 }
 
 // The worst variants first: where they do not all pass, the others do not matter.
 static int count_passing(const MixedLab *lab, Drawing *drawing) {
     int count = 0;
     for (int c = 0; c < lab->result->check_count; c++)
-        count += lab->failed[c] && passes(drawing, &lab->exam->variants[c][lab->result->checks[c].worst]);
+        count += lab->failed[c] && passes(lab, drawing, c, lab->result->checks[c].worst);
     for (int c = 0; c < lab->result->check_count && count == lab->failed_count; c++)
         for (int n = 0; lab->failed[c] && n < lab->exam->rubric->checks[c].variants; n++)
-            if (n != lab->result->checks[c].worst && !passes(drawing, &lab->exam->variants[c][n]))
+            if (n != lab->result->checks[c].worst && !passes(lab, drawing, c, n))
                 return count - 1;
     return drawing->drew ? count : -1;
 }

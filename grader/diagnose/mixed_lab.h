@@ -18,7 +18,7 @@ typedef struct MixedFile {
 
 typedef struct MixedLab {
     const LabResult *result;
-    const Exam *exam;
+    Exam *exam;
     const WorkerClient *student; // whose folder, jail and context are taken
     MixedFile files[RUBRIC_MAX_FILES];
     bool failed[RUBRIC_MAX_CHECKS]; // the checks to draw
@@ -26,7 +26,7 @@ typedef struct MixedLab {
 } MixedLab;
 
 // Reads the student's files and our sources with these tasks solved. False with a message.
-bool mixed_lab_open(MixedLab *lab, const LabResult *result, const Exam *exam, const WorkerClient *student,
+bool mixed_lab_open(MixedLab *lab, const LabResult *result, Exam *exam, const WorkerClient *student,
                     Solved solved);
 void mixed_lab_close(MixedLab *lab); // accepts a zeroed one
 

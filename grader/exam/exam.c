@@ -1,10 +1,9 @@
 #include "exam/exam.h"
 
 #include "scene/check.h"
+#include "exam/exam_draw.h"
 #include "score/score.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { MAX_TRIES = 60 };
@@ -15,16 +14,6 @@ float exam_milliseconds(const Reply *reply) {
     for (int i = 0; i < LAB_MAX_PASSES; i++)
         sum += reply->milliseconds[i];
     return sum;
-}
-
-static bool make_request(Request *request, const Check *check, Random *random) {
-    *request = (Request){.magic = PROTOCOL_MAGIC, .fresh = 1, .knob_count = check->knob_count};
-    snprintf(request->view, sizeof request->view, "%s", check->view);
-    for (int i = 0; i < check->knob_count; i++) {
-        snprintf(request->knobs[i].name, sizeof request->knobs[i].name, "%s", check->knobs[i].name);
-        request->knobs[i].value = check->knobs[i].value;
-    }
-    return scene_make(&request->scene, check->scene, random);
 }
 
 static bool scores(const Image *picture, const Variant *variant) {
@@ -68,38 +57,21 @@ static bool draw_variant(Variant *variant, const Trio *trio, char renderer[128])
         !painters_draw(trio->painters, trio->solution, &variant->request, &variant->reference, &reply))
         return false;
     memcpy(renderer, reply.renderer, sizeof reply.renderer);
+    variant->facts = reply.facts;
     return reply.drawn ||
            check_fail("our own solution in %s draws nothing: %s", trio->solution->folder, reply.message);
 }
 
-typedef struct Draw {
-    Random random;
-    int width, height;
-} Draw;
-
-static Draw begin_draw(const Exam *exam, int c) {
-    Random random = {exam->seed ^ (0x517cc1b727220a95u * (uint64_t)(c + 1))};
-    random.state ^= (uint64_t)atoi(exam->rubric->id) << 32;
-    const int width = 16 * random_int(&random, 9, 12), height = 16 * random_int(&random, 7, 9);
-    return (Draw){random, width, height};
-}
-
-static bool draw_request(Draw *draw, Request *request, const Check *check) {
-    bool ok = make_request(request, check, &draw->random);
-    request->width = draw->width;
-    request->height = draw->height;
-    return ok;
-}
-
 static bool create_check(Exam *exam, int c, const Trio *trio) {
     const Check *check = &exam->rubric->checks[c];
-    Draw draw = begin_draw(exam, c);
+    Draw draw = draw_begin_check(exam->rubric, exam->seed, c);
     bool ok = true;
     int n = 0;
     for (int try = 0; ok && n < check->variants && try < MAX_TRIES; try++) {
         Variant *variant = &exam->variants[c][n];
         exam->tries[c][n] = try;
-        ok = draw_request(&draw, &variant->request, check) && draw_variant(variant, trio, exam->renderer);
+        variant->scene = draw_scene_name(&draw, check, n);
+        ok = draw_request(&draw, &variant->request, check, n) && draw_variant(variant, trio, exam->renderer);
         n += ok && exam_acceptable(exam->variants[c], n);
     }
     if (ok && n < check->variants)
@@ -110,18 +82,29 @@ static bool create_check(Exam *exam, int c, const Trio *trio) {
     return ok;
 }
 
+// They grow, and no variant comes after the last that exam_create draws.
+static bool are_tries(const int *tries, int count) {
+    for (int n = 0; n < count; n++)
+        if (tries[n] < 0 || tries[n] >= MAX_TRIES || (n > 0 && tries[n] <= tries[n - 1]))
+            return false;
+    return true;
+}
+
 bool exam_restore(Exam *exam, const Rubric *rubric, uint64_t seed,
                   int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]) {
     memset(exam, 0, sizeof *exam);
     exam->rubric = rubric;
     exam->seed = seed;
     for (int c = 0; c < rubric->check_count; c++) {
-        Draw draw = begin_draw(exam, c);
+        if (!are_tries(tries[c], rubric->checks[c].variants))
+            return false;
+        Draw draw = draw_begin_check(rubric, seed, c);
         int drawn = 0;
         for (int n = 0; n < rubric->checks[c].variants; n++) {
             exam->tries[c][n] = tries[c][n];
+            exam->variants[c][n].scene = draw_scene_name(&draw, &rubric->checks[c], n);
             for (; drawn <= tries[c][n]; drawn++)
-                if (!draw_request(&draw, &exam->variants[c][n].request, &rubric->checks[c]))
+                if (!draw_request(&draw, &exam->variants[c][n].request, &rubric->checks[c], n))
                     return false;
         }
     }
@@ -133,6 +116,8 @@ bool exam_create(Exam *exam, const Rubric *rubric, Painters *painters, uint64_t 
     exam->rubric = rubric;
     exam->painters = painters;
     exam->seed = seed;
+    if (!painters_fit(painters))
+        return false;
     for (int c = 0; c < rubric->check_count; c++) {
         Trio trio = {painters, painters_get(painters, (Solved){SOLVED_ALL, NULL}, NULL),
                      painters_get(painters, (Solved){SOLVED_NONE, NULL}, NULL),
@@ -163,6 +148,7 @@ static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant
         return NULL;
     late->known = true;
     late->drawn = reply.drawn;
+    late->facts = reply.facts;
     if (memcmp(late->image.rgba, variant->reference.rgba, image_bytes(&late->image)) == 0)
         image_destroy(&late->image);
     return shown(late, variant);
@@ -171,6 +157,11 @@ static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant
 const Image *exam_mistake(Exam *exam, int m, int c, int n) {
     return draw_late(&exam->mistakes[m][c][n], exam, &exam->variants[c][n], (Solved){SOLVED_ALL, NULL},
                      &exam->rubric->mistakes[m]);
+}
+
+const Image *exam_also(Exam *exam, int a, int c, int n) {
+    return draw_late(&exam->also[a][c][n], exam, &exam->variants[c][n], (Solved){SOLVED_ALL, NULL},
+                     exam->rubric->also[a]);
 }
 
 const Image *exam_partial(Exam *exam, int t, int c, int n) {
@@ -190,5 +181,7 @@ void exam_destroy(Exam *exam) {
                 image_destroy(&exam->mistakes[m][c][n].image);
             for (int t = 0; t < EXAM_MAX_TASKS; t++)
                 image_destroy(&exam->partials[t][c][n].image);
+            for (int a = 0; a < RUBRIC_MAX_ALSO; a++)
+                image_destroy(&exam->also[a][c][n].image);
         }
 }

@@ -7,17 +7,18 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { EXAM_MAX_VARIANTS = 8, EXAM_MAX_MISTAKES = 40, EXAM_MAX_TASKS = 20 };
-
 typedef struct Variant {
+    const char *scene; // its name; the rubric's
     Request request;
     Image reference, without, skeleton;
+    FrameFacts facts; // of the reference
 } Variant;
 
 // One more picture of a variant, kept once it was asked for.
 typedef struct LatePicture {
     bool known;
-    bool drawn;  // false: ours gave a reason why it drew nothing, which counts as black
+    bool drawn; // false: ours gave a reason why it drew nothing, which counts as black
+    FrameFacts facts;
     Image image; // owned; empty when it is the reference's
 } LatePicture;
 
@@ -34,6 +35,7 @@ typedef struct Exam {
     LatePicture mistakes[EXAM_MAX_MISTAKES][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     ExamEntry without_task[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS]; // see exam_matrix.h
+    LatePicture also[RUBRIC_MAX_ALSO][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
 } Exam;
 
 // Is variants[n], drawn, worth asking beside those before it? The task and the whole lab must each change at
@@ -55,6 +57,9 @@ const Image *exam_mistake(Exam *exam, int m, int c, int n);
 
 // The same of our lab solved up to the task with number t ("3.4" for 4); NULL also when no check is about it.
 const Image *exam_partial(Exam *exam, int t, int c, int n);
+
+// The same of the a-th alternative whose other pictures are right, too ("also right" in the rubric).
+const Image *exam_also(Exam *exam, int a, int c, int n);
 
 // Sum of the pass times of a reply.
 float exam_milliseconds(const Reply *reply);

@@ -4,6 +4,7 @@
 #include "base/places.h"
 #include "compile/lab_folder.h"
 #include "exam/exam_matrix.h"
+#include "exam/exam_facts.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -14,7 +15,7 @@
 // A check's frames lie one below the other in one PNG: of each variant the reference, and then what differs
 // from it, as the exclusive or with the reference, which is mostly 0. Other frames refer to theirs by its
 // distance from the reference, 0 for the reference itself.
-enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + 3 };
+enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + 3, MAX_SEEDS = 10000 };
 
 bool exam_file_only(void) {
     char solutions[FILES_PATH], recorded[FILES_PATH];
@@ -23,20 +24,31 @@ bool exam_file_only(void) {
     return !files_exists(solutions) && files_exists(recorded);
 }
 
+static bool take_seed(const JsonPlace *file, const json_t *seeds, size_t i, uint64_t *seed) {
+    const char *text = json_string_value(json_array_get(seeds, i));
+    const size_t length = text ? strlen(text) : 0;
+    if (length == 0 || length > 20 || strspn(text, "0123456789") != length) {
+        const JsonPlace place = json_fields_enter(file, "", i, NULL);
+        return json_fields_fail(&place, "", "is no seed; write a whole number of 64 bits as a text");
+    }
+    *seed = strtoull(text, NULL, 10);
+    return true;
+}
+
 bool exam_file_draw_seed(uint64_t *seed) {
     char path[FILES_PATH];
     ssize_t drawn = getrandom(seed, sizeof *seed, 0);
     INVARIANT(drawn == sizeof *seed);
     if (!exam_file_only())
         return true;
-    places_path(path, "grader/recorded/seeds.json");
-    json_t *seeds = json_load_file(path, 0, NULL);
-    size_t count = json_array_size(seeds);
-    const char *text = count ? json_string_value(json_array_get(seeds, *seed % count)) : NULL;
-    if (text)
-        *seed = strtoull(text, NULL, 10);
+    places_path(path, "grader/recorded");
+    const JsonPlace file = {.folder = path, .file = "seeds.json"};
+    json_t *seeds = json_fields_read(&file, NULL, 0, JSON_ARRAY);
+    bool ok =
+        seeds && json_fields_fits(&file, seeds, &(JsonField){"", FIELD_LIST, FIELD_NEEDED, 1, MAX_SEEDS});
+    ok = ok && take_seed(&file, seeds, (size_t)(*seed % json_array_size(seeds)), seed);
     json_decref(seeds);
-    return text || check_fail("%s cannot be read", path);
+    return ok;
 }
 
 // Where a file that students get lies: as they get it, where there are no solutions.
@@ -113,29 +125,13 @@ static json_t *put_partials(Strip *strip, Exam *exam, int c, int n) {
     return list;
 }
 
-// Of each task a string with a letter for each check: F where it fails without the task.
-static json_t *matrix_json(Exam *exam) {
+static json_t *put_also(Strip *strip, Exam *exam, int c, int n) {
     json_t *list = json_array();
-    for (int t = 0; t < exam->rubric->hint_count; t++) {
-        char row[RUBRIC_MAX_CHECKS + 1] = "";
-        for (int c = 0; c < exam->rubric->check_count; c++)
-            row[c] = "?.F"[exam_without_task(exam, t, c)];
-        json_array_append_new(list, json_string(row));
+    for (int a = 0; a < exam->rubric->also_count; a++) {
+        const Image *frame = exam_also(exam, a, c, n);
+        json_array_append_new(list, json_integer(frame ? put(strip, frame) : -1));
     }
     return list;
-}
-
-static bool load_matrix(Exam *exam, json_t *list) {
-    for (int t = 0; t < exam->rubric->hint_count; t++) {
-        const char *row = json_string_value(json_array_get(list, (size_t)t));
-        if (!row || strlen(row) != (size_t)exam->rubric->check_count)
-            return false;
-        for (int c = 0; row[c]; c++)
-            exam->without_task[t][c] = row[c] == 'F'   ? EXAM_FAILS
-                                       : row[c] == '.' ? EXAM_PASSES
-                                                       : EXAM_UNKNOWN;
-    }
-    return true;
 }
 
 static json_t *put_variant(Strip *strip, Exam *exam, int c, int n) {
@@ -143,9 +139,10 @@ static json_t *put_variant(Strip *strip, Exam *exam, int c, int n) {
     strip->base = strip->count;
     put(strip, &variant->reference);
     int without = put(strip, &variant->without), skeleton = put(strip, &variant->skeleton);
-    return json_pack("{s:i, s:i, s:i, s:i, s:o, s:o}", "try", exam->tries[c][n], "frame", strip->base,
-                     "without", without, "skeleton", skeleton, "mistakes", put_mistakes(strip, exam, c, n),
-                     "partials", put_partials(strip, exam, c, n));
+    json_t *mistakes = put_mistakes(strip, exam, c, n), *partials = put_partials(strip, exam, c, n);
+    return json_pack("{s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o}", "try", exam->tries[c][n], "frame",
+                     strip->base, "without", without, "skeleton", skeleton, "mistakes", mistakes, "partials",
+                     partials, "also", put_also(strip, exam, c, n), "facts", exam_facts_pack(exam, c, n));
 }
 
 static bool write_strip(const Strip *strip, const char *path) {
@@ -187,8 +184,8 @@ static bool save_check(Exam *exam, int c, const char *folder, json_t *checks) {
 bool exam_file_save(Exam *exam, const char *folder) {
     char path[FILES_PATH];
     json_t *checks = json_array();
-    json_t *root = json_pack("{s:i, s:s, s:o, s:o}", "version", 1, "renderer", exam->renderer, "checks",
-                             checks, "without_task", matrix_json(exam));
+    json_t *root = json_pack("{s:i, s:s, s:o, s:o}", "version", 2, "renderer", exam->renderer, "checks",
+                             checks, "without_task", exam_matrix_pack(exam));
     bool ok = true;
     for (int c = 0; ok && c < exam->rubric->check_count; c++)
         ok = save_check(exam, c, folder, checks);
@@ -219,7 +216,8 @@ typedef struct Cutting {
 } Cutting;
 
 static bool cut_late(LatePicture *late, const Cutting *cutting, json_t *list, int i) {
-    int distance = (int)json_integer_value(json_array_get(list, (size_t)i));
+    const json_t *entry = json_array_get(list, (size_t)i);
+    int distance = json_is_integer(entry) ? (int)json_integer_value(entry) : -1;
     late->known = distance >= 0;
     return distance <= 0 || cut(&late->image, cutting->strip, cutting->request, cutting->base, distance);
 }
@@ -227,9 +225,10 @@ static bool cut_late(LatePicture *late, const Cutting *cutting, json_t *list, in
 static bool load_variant(Exam *exam, int c, int n, const Image *strip, json_t *entry) {
     Variant *variant = &exam->variants[c][n];
     int base, without, skeleton;
-    json_t *mistakes, *partials;
-    if (json_unpack(entry, "{s:i, s:i, s:i, s:o, s:o}", "frame", &base, "without", &without, "skeleton",
-                    &skeleton, "mistakes", &mistakes, "partials", &partials) != 0 ||
+    json_t *mistakes, *partials, *also, *facts;
+    if (json_unpack(entry, "{s:i, s:i, s:i, s:o, s:o, s:o, s:o}", "frame", &base, "without", &without,
+                    "skeleton", &skeleton, "mistakes", &mistakes, "partials", &partials, "also", &also,
+                    "facts", &facts) != 0 ||
         json_array_size(mistakes) != (size_t)exam->rubric->mistake_count)
         return false;
     const Cutting cutting = {strip, &variant->request, base};
@@ -240,6 +239,9 @@ static bool load_variant(Exam *exam, int c, int n, const Image *strip, json_t *e
         ok = cut_late(&exam->mistakes[m][c][n], &cutting, mistakes, m);
     for (int t = 0; ok && t < EXAM_MAX_TASKS; t++)
         ok = cut_late(&exam->partials[t][c][n], &cutting, partials, t);
+    for (int a = 0; ok && a < exam->rubric->also_count; a++)
+        ok = cut_late(&exam->also[a][c][n], &cutting, also, a);
+    exam_facts_unpack(exam, c, n, facts);
     return ok;
 }
 
@@ -272,7 +274,8 @@ bool exam_file_load(Exam *exam, const Rubric *rubric, uint64_t seed) {
         return check_fail("seed %llu is not recorded here: take one of those in grader/recorded/seeds.json",
                           (unsigned long long)seed);
     bool ok = renderer && json_array_size(checks) == (size_t)rubric->check_count &&
-              restore(exam, rubric, seed, checks) && load_matrix(exam, json_object_get(root, "without_task"));
+              restore(exam, rubric, seed, checks) &&
+              exam_matrix_unpack(exam, json_object_get(root, "without_task"));
     for (int c = 0; ok && c < rubric->check_count; c++)
         ok = load_check(exam, c, json_array_get(checks, (size_t)c));
     if (ok)

@@ -66,51 +66,62 @@ static bool used_up_its_time(const WorkerClient *client) {
             process->cpu_seconds >= client->seconds - client->used_seconds);
 }
 
-// " in PASS", as the worker's last words tell it, after what the lab printed.
-static void append_place(char *text, size_t size, const char *printed) {
-    const char *place = NULL;
-    for (const char *next = printed; (next = strstr(next, PROTOCOL_PLACE)); next++)
-        place = next + strlen(PROTOCOL_PLACE);
-    if (place)
-        check_append(text, size, " in %.300s", place);
+static void append_place(const WorkerClient *client, const Request *request, Reply *reply) {
+    char place[COMPILE_PLACE];
+    const char *folder = strcmp(client->folder, "-") == 0 ? request->folder : client->folder;
+    if (reply->place && compiler_locate(folder, client->jail, reply->place, place))
+        check_append(reply->message, sizeof reply->message, " (%s)", place);
 }
 
-static DrawResult explain_end(const WorkerClient *client, char *text, size_t size) {
+// What the worker said of itself in its last record; a lab may have written that, or prevented it.
+static void append_pass(const WorkerClient *client, const Request *request, Reply *reply) {
+    if (reply->magic != PROTOCOL_CRASHED)
+        return;
+    check_append(reply->message, sizeof reply->message, " in %s", reply->pass);
+    append_place(client, request, reply);
+}
+
+static void explain_crash(const WorkerClient *client, const Request *request, Reply *reply) {
     const Process *process = &client->process;
-    int status = process->status;
-    text[0] = '\0';
+    snprintf(reply->message, sizeof reply->message, "it crashed: %s (%s)",
+             strsignal(WTERMSIG(process->status)), sigabbrev_np(WTERMSIG(process->status)));
+    append_pass(client, request, reply);
+    if (process->peak_mib > MEMORY_MIB / 2)
+        check_append(reply->message, sizeof reply->message,
+                     "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib, MEMORY_MIB);
+}
+
+static DrawResult explain_end(const WorkerClient *client, const Request *request, Reply *reply) {
+    const Process *process = &client->process;
+    char *text = reply->message;
+    const size_t size = sizeof reply->message;
     if (process->state == PROCESS_FLOODED) {
-        check_append(text, size, "it printed more than %d MiB and was stopped",
-                     PROCESS_FLOOD / (1024 * 1024));
+        snprintf(text, size, "it printed more than %d MiB and was stopped", PROCESS_FLOOD / (1024 * 1024));
         return DRAW_LOST;
     }
     if (used_up_its_time(client)) {
-        check_append(text, size, "it was stopped after %.0f s", client->seconds);
-        append_place(text, size, process->text);
+        snprintf(text, size, "it was stopped after %.0f s", client->seconds);
+        append_pass(client, request, reply);
         check_append(text, size, ": is there an endless loop?");
         return DRAW_TIMEOUT;
     }
-    if (!WIFSIGNALED(status)) {
-        check_append(text, size,
-                     "it ended by itself with exit status %d before the frame was drawn; lab.c must return",
-                     WEXITSTATUS(status));
-        return DRAW_LOST;
-    }
-    check_append(text, size, "it crashed: %s (%s)", strsignal(WTERMSIG(status)),
-                 sigabbrev_np(WTERMSIG(status)));
-    append_place(text, size, process->text);
-    if (process->peak_mib > MEMORY_MIB / 2)
-        check_append(text, size, "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib,
-                     MEMORY_MIB);
+    if (WIFSIGNALED(process->status))
+        explain_crash(client, request, reply);
+    else
+        snprintf(text, size,
+                 "it ended by itself with exit status %d before the frame was drawn; lab.c must return",
+                 WEXITSTATUS(process->status));
     return DRAW_LOST;
 }
 
 // All of it is the submission's to write.
 static void clean_reply(Reply *reply) {
     reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
+    description_clean_text(reply->pass, sizeof reply->pass);
     for (int i = 0; i < LAB_MAX_PASSES; i++)
         if (!(reply->milliseconds[i] >= 0 && reply->milliseconds[i] < 1e9f))
             reply->milliseconds[i] = 0;
+    reply->facts.refused = reply->facts.refused != 0;
 }
 
 // The reply and exactly `size` bytes of payload; zeroes when they do not come.
@@ -121,20 +132,21 @@ static DrawResult exchange(WorkerClient *client, const Request *request, void *p
     bool ok = (client->started || worker_client_start(client)) &&
               process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
               process_exchange(process, NULL, 0, payload, size);
+    if (!ok && reply->magic != PROTOCOL_CRASHED && !process_take_rest(process, reply, sizeof *reply))
+        memset(reply, 0, sizeof *reply);
     clean_reply(reply);
-    DrawResult result = reply->drawn ? DRAW_OK : DRAW_FAILED;
-    if (ok && reply->magic != PROTOCOL_MAGIC) {
+    if (!ok) {
+        memset(payload, 0, size);
+        return explain_end(client, request, reply);
+    }
+    if (reply->magic != PROTOCOL_MAGIC) {
         snprintf(reply->message, sizeof reply->message,
                  "it wrote something else than a frame to descriptor 3");
-        result = DRAW_LOST;
-    } else if (!ok) {
-        memset(payload, 0, size);
-        result = explain_end(client, reply->message, sizeof reply->message);
+        return DRAW_LOST;
     }
     if (reply->message[0])
-        compiler_locate(client->trust == TRUST_OURS ? request->folder : client->folder, client->jail,
-                        reply->message, sizeof reply->message);
-    return result;
+        append_place(client, request, reply);
+    return reply->drawn ? DRAW_OK : DRAW_FAILED;
 }
 
 DrawResult worker_client_draw(WorkerClient *client, const Request *request, Image *image, Reply *reply) {

@@ -6,6 +6,7 @@
 #include "diagnose/diagnose.h"
 #include "exam/exam_file.h"
 #include "diagnose/evidence.h"
+#include "grade/score_check.h"
 #include "score/score.h"
 
 #include <stdio.h>
@@ -40,23 +41,6 @@ void grade_refuse(LabResult *result, const char *reason) {
     fail_lab(result, LAB_ERROR, reason);
 }
 
-static void score_check(CheckResult *check, const Variant *variants) {
-    check->share = 1;
-    check->error = 0;
-    for (int n = 0; n < check->check->variants; n++) {
-        FrameScore score = {.inside = 1};
-        if (check->yours[n].rgba)
-            score = score_frame(&check->yours[n], &variants[n].reference, &variants[n].without,
-                                &variants[n].skeleton);
-        if (score.inside + score.outside > check->error || n == 0) {
-            check->share = score.share;
-            check->error = score.inside + score.outside;
-            check->worst = n;
-        }
-    }
-    check->passed = check->share >= SCORE_PASSED;
-}
-
 typedef struct Ratios {
     double values[RUBRIC_MAX_CHECKS];
     int count;
@@ -66,22 +50,23 @@ typedef struct Ratios {
 static void note_output(LabResult *result, const char *printed) {
     enum { MAX_LINES = 12, MAX_TEXT = 1000 };
     char text[MAX_TEXT + 64] = "it printed:";
-    const char *end = printed, *ours = strstr(printed, PROTOCOL_PLACE);
-    for (int line = 0; *end && end != ours && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
         end += strcspn(end, "\n");
-        end += *end == '\n' && end != ours;
+        end += *end == '\n';
     }
     const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
-    check_append(text, sizeof text, "\n%.*s%s", length, printed,
-                 printed[length] && printed + length != ours ? "..." : "");
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
     if (length > 0)
         add_warning(result, text);
 }
 
 // Draws one frame of the student's.
-static DrawResult draw_one(LabResult *result, WorkerClient *student, const Variant *variant, Image *yours,
-                           Reply *reply) {
+static DrawResult draw_one(LabResult *result, WorkerClient *student, const Variant *variant,
+                           CheckResult *check, int n, Reply *reply) {
+    Image *yours = &check->yours[n];
     DrawResult drawn = worker_client_draw(student, &variant->request, yours, reply);
+    check->facts[n] = reply->facts;
     if (drawn == DRAW_OK) {
         if (reply->message[0])
             add_warning(result, reply->message);
@@ -95,10 +80,12 @@ static DrawResult draw_one(LabResult *result, WorkerClient *student, const Varia
 }
 
 // A check in which the worker was lost has no pictures to judge: how it was lost is its cause.
-static void lose_check(CheckResult *check, const char *how) {
+static void lose_check(CheckResult *check, DrawResult drawn, const char *how) {
     for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
         image_destroy(&check->yours[n]);
     result_clean(check->mistake, sizeof check->mistake, how);
+    snprintf(check->kind, sizeof check->kind, "%s",
+             drawn == DRAW_TIMEOUT ? "it ran out of its time" : "it crashed or ended by itself");
     check->has_cause = true;
 }
 
@@ -108,16 +95,15 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
                        float *milliseconds) {
     static Reply reply;
     CheckResult *check = &result->checks[c];
-    bool alive = true;
-    for (int n = 0; alive && n < check->check->variants; n++) {
-        const DrawResult drawn = draw_one(result, student, &exam->variants[c][n], &check->yours[n], &reply);
-        alive = drawn == DRAW_OK || drawn == DRAW_FAILED;
+    DrawResult drawn = DRAW_OK;
+    for (int n = 0; (drawn == DRAW_OK || drawn == DRAW_FAILED) && n < check->check->variants; n++) {
+        drawn = draw_one(result, student, &exam->variants[c][n], check, n, &reply);
         if (drawn == DRAW_OK)
             *milliseconds = exam_milliseconds(&reply);
     }
-    if (alive)
+    if (drawn == DRAW_OK || drawn == DRAW_FAILED)
         return true;
-    lose_check(check, reply.message);
+    lose_check(check, drawn, reply.message);
     note_output(result, student->process.text);
     return worker_client_restart(student);
 }
@@ -156,21 +142,27 @@ static double points_left(const LabResult *result, const Exam *exam) {
     return points;
 }
 
-void grade_pictures(LabResult *result, const Exam *exam) {
+// Every check that is not optional, and the pass mark of what was touched.
+static bool passes(const LabResult *result, const Exam *exam) {
+    for (int c = 0; c < result->check_count; c++)
+        if (!result->checks[c].passed && !result->checks[c].check->optional)
+            return false;
+    return result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
+}
+
+void grade_pictures(LabResult *result, Exam *exam) {
     for (int c = 0; c < result->check_count; c++) {
-        score_check(&result->checks[c], exam->variants[c]);
+        score_check(&result->checks[c], exam, c);
         result->score += result_points(&result->checks[c]);
     }
-    bool passed =
-        result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
     if (!result->message[0])
-        result->status = passed ? LAB_PASSED : LAB_FAILED;
+        result->status = passes(result, exam) ? LAB_PASSED : LAB_FAILED;
 }
 
 bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c) {
     float milliseconds;
     draw_check(result, student, exam, c, &milliseconds);
-    score_check(&result->checks[c], exam->variants[c]);
+    score_check(&result->checks[c], exam, c);
     return result->checks[c].passed;
 }
 

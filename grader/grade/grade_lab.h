@@ -23,7 +23,7 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
 bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c);
 
 // Scores the frames that the result already holds, as grade_frames does once they are drawn.
-void grade_pictures(LabResult *result, const Exam *exam);
+void grade_pictures(LabResult *result, Exam *exam);
 
 // The whole way of one lab: takes the files from the folder `submission`, compiles, draws, scores, names the
 // mistakes, keeps pictures of what failed when the options ask for them. Everything that a submission can do

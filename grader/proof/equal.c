@@ -1,60 +1,71 @@
 #include "proof/equal.h"
 
 #include "base/files.h"
+#include "base/json_fields.h"
+#include "base/limits.h"
+#include "compile/rubric_names.h"
 #include "scene/check.h"
 
 #include <jansson.h>
 #include <stdlib.h>
 #include <string.h>
 
+enum { MAX_ENTRIES = 1000 };
+
+static const JsonField reason_fields[] = {{"why", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_HINT},
+                                          {"changes", FIELD_LIST, FIELD_NEEDED, 1, MAX_ENTRIES},
+                                          {0}};
+
+static const JsonField change_fields[] = {{"file", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
+                                          {"line", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_HINT},
+                                          {"from", FIELD_NAME, FIELD_NEEDED, 0, RUBRIC_MAX_HINT},
+                                          {"to", FIELD_LIST, FIELD_OPTIONAL, 1, MAX_ENTRIES},
+                                          {"nth", FIELD_WHOLE, FIELD_OPTIONAL, 1, MAX_ENTRIES},
+                                          {"task", FIELD_NAME, FIELD_OPTIONAL, 1, RUBRIC_MAX_NAME},
+                                          {0}};
+
+static const JsonField to_text = {"to", FIELD_NAME, FIELD_NEEDED, 0, RUBRIC_MAX_HINT};
+
 static const char *text_of(json_t *entry, const char *key) {
     return json_string_value(json_object_get(entry, key));
 }
 
-static bool are_texts(json_t *list) {
+static bool read_change(EqualList *list, const Rubric *rubric, const JsonPlace *place, json_t *json,
+                        const char *why) {
     size_t i;
     json_t *text;
-    json_array_foreach(list, i, text) {
-        if (!json_is_string(text))
+    if (!json_fields_check(place, json, change_fields))
+        return false;
+    EqualChange *change = &list->changes[list->count++];
+    *change = (EqualChange){.file = text_of(json, "file"),
+                            .line = text_of(json, "line"),
+                            .from = text_of(json, "from"),
+                            .why = why,
+                            .task = text_of(json, "task"),
+                            .to = json_object_get(json, "to"),
+                            .nth = (int)json_integer_value(json_object_get(json, "nth"))};
+    if (!rubric_names_file(rubric, change->file))
+        return json_fields_fail(place, "file",
+                                "\"%s\" is not in the list \"files\" of rubric.json; write one of those",
+                                change->file);
+    json_array_foreach(change->to, i, text) {
+        if (!json_fields_fits(place, text, &to_text))
             return false;
     }
-    return json_array_size(list) > 0;
+    return true;
 }
 
-static bool is_file(const Rubric *rubric, const char *name) {
-    for (int i = 0; name && i < rubric->file_count; i++)
-        if (strcmp(rubric->files[i], name) == 0)
-            return true;
-    return false;
-}
-
-static bool read_change(EqualList *list, const Rubric *rubric, json_t *json, const char *why) {
-    EqualChange *change = &list->changes[list->count++];
-    *change = (EqualChange){text_of(json, "file"),
-                            text_of(json, "line"),
-                            text_of(json, "from"),
-                            why,
-                            json_object_get(json, "to"),
-                            (int)json_integer_value(json_object_get(json, "nth")),
-                            0};
-    if (!is_file(rubric, change->file) || !change->line || !change->from)
-        return check_fail("%s/equal.json: change %d needs a \"file\" of the lab, \"line\" and \"from\"",
-                          rubric->folder, list->count);
-    return !change->to || are_texts(change->to) ||
-           check_fail("%s/equal.json: change %d: \"to\" is a list of texts", rubric->folder, list->count);
-}
-
-static bool read_reason(EqualList *list, const Rubric *rubric, json_t *reason) {
+static bool read_reason(EqualList *list, const Rubric *rubric, const JsonPlace *place, json_t *reason) {
     json_t *changes = json_object_get(reason, "changes"), *change;
-    const char *why = text_of(reason, "why");
     size_t i;
-    if (!why || !why[0] || json_array_size(changes) == 0)
-        return check_fail("%s/equal.json: each entry needs \"why\" and \"changes\"", rubric->folder);
+    if (!json_fields_check(place, reason, reason_fields))
+        return false;
     const size_t room = (size_t)list->count + json_array_size(changes);
     list->changes = realloc(list->changes, room * sizeof *list->changes);
     INVARIANT(list->changes);
     json_array_foreach(changes, i, change) {
-        if (!read_change(list, rubric, change, why))
+        const JsonPlace at = json_fields_enter(place, "changes", i, NULL);
+        if (!read_change(list, rubric, &at, change, text_of(reason, "why")))
             return false;
     }
     return true;
@@ -62,21 +73,22 @@ static bool read_reason(EqualList *list, const Rubric *rubric, json_t *reason) {
 
 bool equal_load(EqualList *list, const Rubric *rubric) {
     char path[FILES_PATH];
-    json_error_t error;
     json_t *reason;
     size_t i;
+    const JsonPlace file = {.folder = rubric->folder, .file = "equal.json"};
     *list = (EqualList){0};
-    files_join(path, rubric->folder, "equal.json");
+    files_join(path, rubric->folder, file.file);
     if (!files_exists(path))
         return true;
-    list->json = json_load_file(path, 0, &error);
+    list->json = json_fields_read(&file, NULL, 0, JSON_ARRAY);
     if (!list->json)
-        return check_fail("%s:%d: %s", path, error.line, error.text);
+        return false;
     json_array_foreach(list->json, i, reason) {
-        if (!read_reason(list, rubric, reason))
+        const JsonPlace place = json_fields_enter(&file, "", i, NULL);
+        if (!read_reason(list, rubric, &place, reason))
             return false;
     }
-    return json_is_array(list->json) || check_fail("%s:1: expected a list [ ]", path);
+    return true;
 }
 
 void equal_destroy(EqualList *list) {
@@ -96,7 +108,8 @@ static bool line_has(const char *text, size_t at, const char *part) {
 static bool names(const EqualChange *change, const Mutant *mutant) {
     size_t i;
     json_t *to;
-    if (change->nth > 0 && change->nth != mutant->nth)
+    if ((change->nth > 0 && change->nth != mutant->nth) ||
+        (change->task && strcmp(change->task, mutant->task) != 0))
         return false;
     if (!change->to)
         return true;

@@ -104,13 +104,16 @@ static bool look_at_check(SceneNeeds *economy, const Exam *exam, Painters *roste
     bool ok = true;
     for (int object = 0; ok && object < economy->first.object_count; object++) {
         double sum = 0, need = 0;
+        int count = 0;
         if (economy->need[object] >= enough)
             continue;
-        for (int n = 0; ok && n < check->variants; n++) {
-            ok = find_need(&exam->variants[c][n], roster, check->task, object, enough, &need);
-            sum += need;
-        }
-        economy->need[object] = fmax(economy->need[object], sum / check->variants);
+        for (int n = 0; ok && n < check->variants; n++)
+            if (strcmp(exam->variants[c][n].scene, economy->scene) == 0) {
+                ok = find_need(&exam->variants[c][n], roster, check->task, object, enough, &need);
+                sum += need;
+                count++;
+            }
+        economy->need[object] = fmax(economy->need[object], count > 0 ? sum / count : 0);
     }
     return ok;
 }
@@ -118,9 +121,10 @@ static bool look_at_check(SceneNeeds *economy, const Exam *exam, Painters *roste
 bool scene_needs_look(SceneNeeds *economy, const Exam *exam, Painters *roster, double enough) {
     bool ok = true;
     for (int c = 0; ok && c < exam->rubric->check_count; c++)
-        if (strcmp(exam->rubric->checks[c].scene, economy->scene) == 0) {
-            if (economy->first.object_count == 0)
-                economy->first = exam->variants[c][0].request.scene;
+        if (rubric_uses_scene(&exam->rubric->checks[c], economy->scene)) {
+            for (int n = 0; economy->first.object_count == 0 && n < exam->rubric->checks[c].variants; n++)
+                if (strcmp(exam->variants[c][n].scene, economy->scene) == 0)
+                    economy->first = exam->variants[c][n].request.scene;
             ok = look_at_check(economy, exam, roster, c, enough);
         }
     return ok;
@@ -131,7 +135,7 @@ static int list_scenes(SceneNeeds *economies, const Rubric *rubric) {
     for (int i = 0; scene_name(i); i++) {
         int uses = 0;
         for (int c = 0; c < rubric->check_count; c++)
-            uses += strcmp(rubric->checks[c].scene, scene_name(i)) == 0;
+            uses += rubric_uses_scene(&rubric->checks[c], scene_name(i));
         INVARIANT(count < ECONOMY_MAX_SCENES);
         if (uses > 0)
             economies[count++] = (SceneNeeds){.scene = scene_name(i)};

@@ -10,23 +10,23 @@
 #include <string.h>
 
 // Where we are among the marks of the tasks.
-typedef struct Place {
+typedef struct MarkPosition {
     char task[PIECE_TASK];
     bool inside, skipped; // of a marked block; in its second half, which only the skeleton has
     int nested;           // other #ifs inside of it
-} Place;
+} MarkPosition;
 
-static void pass_directive(Place *place, const Token *token) {
+static void pass_directive(MarkPosition *place, const Token *token) {
     const bool conditional = token_is_directive(token, "if");
     if (!place->inside && strncmp(token->text, "#ifdef SOLUTION", 15) == 0) {
-        *place = (Place){.inside = true};
+        *place = (MarkPosition){.inside = true};
         sscanf(token->text + 15, " // %7[0-9.]", place->task);
     } else if (place->inside && conditional) {
         place->nested++;
     } else if (place->inside && place->nested == 0 && token_is_directive(token, "else")) {
         place->skipped = true;
     } else if (place->inside && token_is_directive(token, "endif") && place->nested-- == 0) {
-        *place = (Place){0};
+        *place = (MarkPosition){0};
     }
 }
 
@@ -55,7 +55,7 @@ static PieceKind kind_of(const Token *token) {
     return token->kind == TOKEN_MARK ? PIECE_MARK : PIECE_TEXT;
 }
 
-static void add(Source *source, const Token *token, const Place *place, int line) {
+static void add(Source *source, const Token *token, const MarkPosition *place, int line) {
     if (source->count > 0 && belongs_to(&source->pieces[source->count - 1], token)) {
         source->pieces[source->count - 1].length += token->length;
         return;
@@ -84,7 +84,7 @@ void source_read(Source *source, const char *name, const char *text) {
     source->c = dot && (strcmp(dot, ".c") == 0 || strcmp(dot, ".h") == 0);
     source->pieces = calloc(strlen(text) + 1, sizeof *source->pieces);
     INVARIANT(source->pieces);
-    Place place = {0};
+    MarkPosition place = {0};
     int line = 1;
     const char *counted = text, *at = text;
     for (Token token = tokens_next(&at); token.kind != TOKEN_END; token = tokens_next(&at)) {

@@ -8,7 +8,9 @@
 #include <stdint.h>
 
 enum {
-    PROTOCOL_MAGIC = 0x31424c53,
+    PROTOCOL_MAGIC = 0x32424c53,
+    PROTOCOL_CRASHED =
+        0x58424c53,        // the magic of a worker's last Reply, as it dies by a signal; nothing follows
     PROTOCOL_REQUESTS = 0, // the worker's descriptors
     PROTOCOL_REPLIES = 3,
     PROTOCOL_MAX_SIZE = 4096, // width and height
@@ -16,10 +18,6 @@ enum {
     PROTOCOL_PATH = 1024,
     PROTOCOL_LINE = 128
 };
-
-// With this the worker says on standard error, before it dies by a signal, in which pass that is; the lab's
-// own words may come before it.
-#define PROTOCOL_PLACE "\nworker: in "
 
 // Views that are not a stage of the lab.
 #define VIEW_PICTURE "picture"       // the frame as its viewer sees it
@@ -45,10 +43,20 @@ typedef struct Request {
     Scene scene;
 } Request;
 
+// What a frame tells beside its pixels.
+typedef struct FrameFacts {
+    int32_t refused;                   // 1: GL refused a call, see gl_refused
+    int32_t stage_width, stage_height; // of the texture, where the view is a stage; 0: there is none
+} FrameFacts;
+
 typedef struct Reply {
     uint32_t magic;
     int32_t drawn; // 1: the pixels are the lab's; 0: they are black, and `message` says why
+    uint64_t
+        place; // where in lab.so the crash was, or the call of which `message` tells at its end; 0: unknown
+    char pass[LAB_MAX_NAME];            // of a crash: what ran
     float milliseconds[LAB_MAX_PASSES]; // CPU time of each pass
+    FrameFacts facts;
     char message[PROTOCOL_TEXT]; // why it was not drawn, or the first GL error or check_fail of the frame
     char renderer[128];          // "GL_VERSION / GL_RENDERER"
 } Reply;

@@ -13,7 +13,8 @@ Scene tilted_wall(double theta, double psi, float half_size, double aspect) {
 
 double tilted_slope(const Scene *scene) {
     const Light *light = &scene->lights[0];
-    mat4s view = glms_lookat(light->position, light->target, vec3_make(0, 1, 0));
+    mat4s view = light_is_overhead(light) ? light_view_from_overhead(light)
+                                          : glms_lookat(light->position, light->target, vec3_make(0, 1, 0));
     vec3s normal = glms_mat4_mulv3(view, vec3_make(0, 0, 1), 0);
     return (fabsf(normal.x) + fabsf(normal.y)) / fabsf(normal.z);
 }

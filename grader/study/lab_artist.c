@@ -1,6 +1,7 @@
 #include "study/lab_artist.h"
 
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "base/places.h"
 

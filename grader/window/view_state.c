@@ -12,16 +12,21 @@ static void set_name(char name[LAB_MAX_NAME], const char *text) {
     snprintf(name, LAB_MAX_NAME, "%s", text);
 }
 
+static int list_once(const char *scenes[MAX_SCENES], int count, const char *scene) {
+    for (int i = 0; i < count; i++)
+        if (strcmp(scenes[i], scene) == 0)
+            return count;
+    if (count < MAX_SCENES)
+        scenes[count++] = scene;
+    return count;
+}
+
 // Names of the scenes to go through, each once.
 static int list_scenes(const Rubric *rubric, const char *scenes[MAX_SCENES]) {
     int count = 0;
-    for (int c = 0; c < rubric->check_count; c++) {
-        int i = 0;
-        while (i < count && strcmp(scenes[i], rubric->checks[c].scene) != 0)
-            i++;
-        if (i == count && count < MAX_SCENES)
-            scenes[count++] = rubric->checks[c].scene;
-    }
+    for (int c = 0; c < rubric->check_count; c++)
+        for (int n = 0; n < rubric->checks[c].scene_count; n++)
+            count = list_once(scenes, count, rubric->checks[c].scenes[n]);
     for (int i = 0; rubric->check_count == 0 && count < MAX_SCENES && scene_name(i); i++)
         scenes[count++] = scene_name(i);
     return count;

@@ -22,14 +22,16 @@ typedef struct LoadedLab {
 // that cannot be loaded is not ready and draws nothing.
 LoadedLab *loaded_lab_find(const char *folder, const char *shader_folder);
 
-// Draws the frame and writes its pixels; false with a message when the lab failed.
-bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *request, float *milliseconds,
+// Draws the frame, writes its pixels and, of the reply, times and facts; false with a message when the lab
+// failed.
+bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *request, Reply *reply,
                      uint8_t *pixels);
 
 // Writes the lab's table; false with a message when there is none.
 bool loaded_lab_describe(const LoadedLab *hosted, Description *description);
 
-// The pass (or "create") that runs just now, for a report of a crash; NULL between frames.
+// The pass (or "create") that runs just now, for a report of a crash; "the lab" between frames. LAB_MAX_NAME
+// bytes.
 const char *loaded_lab_running(void);
 
 // Lets every lab free what it holds.

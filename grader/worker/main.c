@@ -24,14 +24,13 @@ static struct {
     StageView stage_view;
 } worker;
 
+// Only what a handler may call: the record lies ready and is written as it is.
 static void report_crash(int number) {
-    char text[300] = "";
+    static Reply crash = {.magic = PROTOCOL_CRASHED};
     void *frames[32];
-    check_append(text, sizeof text, PROTOCOL_PLACE "%s",
-                 loaded_lab_running() ? loaded_lab_running() : "the lab");
-    gl_append_caller(text, sizeof text, frames, backtrace(frames, 32));
-    ssize_t written = write(STDERR_FILENO, text, strlen(text));
-    (void)written;
+    memcpy(crash.pass, loaded_lab_running(), sizeof crash.pass);
+    crash.place = gl_caller(frames, backtrace(frames, 32));
+    pipe_write(PROTOCOL_REPLIES, &crash, sizeof crash);
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -51,6 +50,7 @@ static void fill_reply(Reply *reply, bool drawn) {
     reply->magic = PROTOCOL_MAGIC;
     reply->drawn = drawn;
     snprintf(reply->message, sizeof reply->message, "%s", check_message());
+    reply->place = gl_error_place();
     if (gl_error()[0])
         check_append(reply->message, sizeof reply->message, "%s%s", reply->message[0] ? "; " : "",
                      gl_error());
@@ -67,9 +67,8 @@ static bool perform(const Request *request, Reply *reply, void *payload) {
     LoadedLab *hosted = loaded_lab_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
     if (!hosted)
         return check_fail("too many labs in one worker");
-    return request->describe
-               ? loaded_lab_describe(hosted, payload)
-               : loaded_lab_draw(hosted, &worker.stage_view, request, reply->milliseconds, payload);
+    return request->describe ? loaded_lab_describe(hosted, payload)
+                             : loaded_lab_draw(hosted, &worker.stage_view, request, reply, payload);
 }
 
 static bool answer(const Request *request) {
@@ -90,10 +89,21 @@ static bool answer(const Request *request) {
     return sent;
 }
 
+// Names begin at another number for each kind of object: who takes one for another must not be lucky.
+static void spread_names(void) {
+    GLuint names[400];
+    glGenTextures(100, names);
+    glGenSamplers(200, names);
+    glGenRenderbuffers(300, names);
+    glGenFramebuffers(400, names);
+}
+
 static bool start(const char *context) {
     ContextKind kind;
-    return context_parse(&kind, context) && context_create(kind) && draw_create() &&
-           stage_view_create(&worker.stage_view);
+    if (!context_parse(&kind, context) || !context_create(kind))
+        return false;
+    spread_names();
+    return draw_create() && stage_view_create(&worker.stage_view);
 }
 
 int main(int count, char **arguments) {
@@ -106,7 +116,7 @@ int main(int count, char **arguments) {
     setvbuf(stdout, NULL, _IOLBF, 0); // what a lab prints is seen at once
     worker.lab_folder = arguments[2];
     worker.shader_folder = arguments[3];
-    shader_source_folders(".", worker.shader_folder);
+    shader_source_folders(worker.shader_folder, worker.shader_folder); // for our own
     worker.ready = start(arguments[1]);
     while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
         INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&

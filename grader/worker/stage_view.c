@@ -20,6 +20,14 @@ static bool is_depth(GLuint texture) {
     return bits > 0;
 }
 
+void stage_view_measure(GLuint texture, FrameFacts *facts) {
+    if (!glIsTexture(texture))
+        return;
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &facts->stage_width);
+    glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &facts->stage_height);
+}
+
 void stage_view_draw(const StageView *view, const Target *target, GLuint texture) {
     gl_reset();
     target_bind(target);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "program.h"
+#include "protocol/protocol.h"
 #include "target.h"
 
 #include <stdbool.h>
@@ -13,6 +14,9 @@ typedef struct StageView {
 
 // Once per context. False with a message.
 bool stage_view_create(StageView *view);
+
+// Width and height of its first level in facts; left alone when there is no such 2D texture.
+void stage_view_measure(GLuint texture, FrameFacts *facts);
 
 // Fills `target` with the texture: colour as it is, depth as grey. Magenta when there is no such 2D texture.
 void stage_view_draw(const StageView *view, const Target *target, GLuint texture);

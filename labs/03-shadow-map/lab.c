@@ -29,8 +29,9 @@ static void destroy(void) {
 static mat4s light_clip_from_world(const Light *light) {
     mat4s clip_from_light = glms_mat4_identity();
     mat4s light_from_world = glms_mat4_identity();
-    // TODO(3.2): light_from_world: the light stands at light->position and looks at light->target. For a
-    // LIGHT_SPOT, clip_from_light is a perspective projection with the light's fov_y and planes.
+    // TODO(3.2): light_from_world: the light stands at light->position and looks at light->target; up is +y.
+    // (Looks it straight down, +y gives no view: light_view_from_overhead(light) does.) For a LIGHT_SPOT,
+    // clip_from_light is a perspective projection with the light's fov_y and planes.
     // Look up: glms_lookat, glms_perspective.
     // TODO(3.3): for a LIGHT_DIRECTIONAL, clip_from_light is an orthographic projection of the square from
     // -light->half_size to light->half_size. Look up: glms_ortho.

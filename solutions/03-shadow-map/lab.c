@@ -53,11 +53,14 @@ static mat4s light_clip_from_world(const Light *light) {
     mat4s light_from_world = glms_mat4_identity();
 #ifdef SOLUTION // 3.2
     light_from_world = glms_lookat(light->position, light->target, vec3_make(0, 1, 0));
+    if (light_is_overhead(light))
+        light_from_world = light_view_from_overhead(light);
     if (light->kind == LIGHT_SPOT)
         clip_from_light = glms_perspective(light->fov_y, 1, light->near_plane, light->far_plane);
 #else
-    // TODO(3.2): light_from_world: the light stands at light->position and looks at light->target. For a
-    // LIGHT_SPOT, clip_from_light is a perspective projection with the light's fov_y and planes.
+    // TODO(3.2): light_from_world: the light stands at light->position and looks at light->target; up is +y.
+    // (Looks it straight down, +y gives no view: light_view_from_overhead(light) does.) For a LIGHT_SPOT,
+    // clip_from_light is a perspective projection with the light's fov_y and planes.
     // Look up: glms_lookat, glms_perspective.
 #endif
 #ifdef SOLUTION // 3.3

@@ -1,9 +1,12 @@
 // Scenes of shadow acne and of what its cures cost.
 #include "scene/scene_parts.h"
 
-// A light at the given azimuth, low enough to graze a floor.
+// A light at the given azimuth, low enough to graze a floor. From its near to its far plane it is always 12
+// units, in which the knobs' biases are meant.
 static void add_low_light(Scene *scene, LightKind kind, float azimuth, float elevation) {
-    part_light(scene, kind, part_orbit(vec3_make(0, 0, 0), azimuth, elevation, 10), vec3_make(0, 0, 0));
+    Light *light =
+        part_light(scene, kind, part_orbit(vec3_make(0, 0, 0), azimuth, elevation, 10), vec3_make(0, 0, 0));
+    light->far_plane = light->near_plane + 12;
 }
 
 // Behind the scene as a camera near +z sees it, left or right.

@@ -167,14 +167,17 @@ static void test_equal_refused(void **unused) {
     (void)unused;
     static const char *const wrong[][2] = {
         {"{}", "expected a list"},
-        {"[{\"changes\": [{\"file\": \"a.frag\", \"line\": \"a\", \"from\": \"b\"}]}]", "\"why\""},
-        {"[{\"why\": \"so\", \"changes\": []}]", "\"changes\""},
+        {"[{\"changes\": [{\"file\": \"a.frag\", \"line\": \"a\", \"from\": \"b\"}]}]",
+         "[0]: why: is missing"},
+        {"[{\"why\": \"so\", \"changes\": []}]", "[0]: changes: [] does not fit"},
+        {"[{\"why\": \"so\", \"changes\": [1], \"because\": 2}]", "there is no key \"because\""},
         {"[{\"why\": \"so\", \"changes\": [{\"file\": \"b.c\", \"line\": \"a\", \"from\": \"b\"}]}]",
-         "\"file\""},
-        {"[{\"why\": \"so\", \"changes\": [{\"file\": \"a.frag\", \"from\": \"b\"}]}]", "\"line\""},
+         "[0]: changes[0]: file: \"b.c\" is not in the list"},
+        {"[{\"why\": \"so\", \"changes\": [{\"file\": \"a.frag\", \"from\": \"b\"}]}]",
+         "[0]: changes[0]: line: is missing"},
         {"[{\"why\": \"so\", \"changes\": [{\"file\": \"a.frag\", \"line\": \"a\", \"from\": \"b\", \"to\": "
          "\"c\"}]}]",
-         "\"to\""},
+         "[0]: changes[0]: to: \"c\" does not fit"},
         {"[", "equal.json:1"}};
     EqualList equal;
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {

@@ -188,9 +188,13 @@ static void test_state(void **unused) {
     const Rubric none = {0};
     Rubric rubric = {
         .check_count = 2,
-        .checks = {
-            {.view = "picture", .scene = "table sun"},
-            {.view = "visibility", .scene = "wide floor", .knobs = {{"map size", 64}}, .knob_count = 1}}};
+        .checks = {{.view = "picture", .scene = "table sun", .scenes = {"table sun"}, .scene_count = 1},
+                   {.view = "visibility",
+                    .scene = "wide floor",
+                    .scenes = {"wide floor"},
+                    .scene_count = 1,
+                    .knobs = {{.name = "map size", .value = 64}},
+                    .knob_count = 1}}};
     ViewState state;
     Request request, again;
     Scene scene;
@@ -228,7 +232,7 @@ static void test_label(void **unused) {
                                        .task = "3.8",
                                        .view = "visibility",
                                        .scene = "far floor",
-                                       .knobs = {{"map size", 64}},
+                                       .knobs = {{.name = "map size", .value = 64}},
                                        .knob_count = 1}}};
     char text[300];
     ViewState state;

@@ -7,7 +7,7 @@ copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{Makefile,common,shaders,labs,solutions,grader,.clang-format} "$copy"
 mkdir -p "$root/$BUILD/cache"
-cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
+cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,given,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 
@@ -31,11 +31,11 @@ expect "two mistakes with one picture" 1 "WRONG:"
 with $three/alternatives.json 'j[:] = [dict(name="wrong", edits=[dict(file="shadow.frag", find="? 0.0 : 1.0", replace="? 1.0 : 0.0")])]' "${prove[@]}"
 expect "an alternative that is wrong" 1 "alternative | wrong" "WRONG: comparison: spot light"
 with $three/mistakes.json 'j[0]["edits"][0]["find"] = "no such text"' "${prove[@]}"
-expect "an edit without its text" 1 "stands there nowhere: no such text"
+expect "an edit without its text" 3 'mistakes.json: [0] "' "edits[0]: find: the text to replace stands in lab.c nowhere" "no such text"
 with $three/rubric.json 'j["checks"][0]["scene"] = "moon"' "${prove[@]}"
-expect "an unknown scene" 1 'there is no scene "moon"; the scenes are'
+expect "an unknown scene" 3 'rubric.json: checks[0] "depth map: spot light": scene: there is no scene "moon"; the scenes are'
 with $three/rubric.json 'j["checks"][0]["view"] = "moon"' "${prove[@]}"
-expect "an unknown stage" 1 'the lab has no stage "moon"'
+expect "an unknown stage" 3 'checks[0] "depth map: spot light": view: the lab has no stage "moon"'
 with $three/rubric.json 'j["checks"][6]["scene"] = "table sun"' build/grade --lab 03 --seed 1 labs
 expect "a check whose task does not show" 3 'check "lit outside the map": seed 1 gives only' "of 3 variants in which the task shows" "fix the rubric"
 
@@ -62,6 +62,9 @@ broken "an include that points up" "common/scene/random.c:3: scene includes draw
 broken "a package in a room that does not know it" "only truth may include embree3/rtcore.h" "sed -i '2a #include <embree3/rtcore.h>' common/scene/random.c"
 broken "an include without its room" "names no file from common/ or grader/ on" "sed -i '2a #include \"score.h\"' common/scene/random.c"
 broken "a circle" "a circle: common/scene/scene -> common/scene/random -> common/scene/scene" "sed -i '2a #include \"scene/scene.h\"' common/scene/random.c"
+broken "two types of one name" "Process: common/scene/random.h grader/base/process.h" "echo 'typedef struct Process { int id; } Process;' >>common/scene/random.h"
+broken "two modules of one name" "pipe.c: common/pipe.h grader/base/pipe." "cp common/scene/count.h common/pipe.h"
+broken "two files of one name" "page.css: common/page.css grader/pages/page.css" "cp grader/pages/page.css common"
 broken "a missing picture" "picture.png is missing" "rm labs/03-shadow-map/map.png labs/03-shadow-map/picture.png"
 
 # Students' helpers.
@@ -74,11 +77,11 @@ for n in 1 2; do echo "// again $n" >>labs/03-shadow-map/shadow.frag && runs gra
 runs grader/scripts/reset 03
 expect "reset of a skeleton" 0 "is the skeleton already"
 runs grader/scripts/reset 77
-expect "reset of no lab" 2 "which lab?"
+expect "reset of no lab" 2 'there is no lab "77"; there are 01, 02'
 runs grader/scripts/hint 3.2
 expect "hint" 0 "Hint 1 of 2 for task 3.2"
 runs grader/scripts/hint 3.77
-expect "hint of no task" 1 "has no task 3.77"
+expect "hint of no task" 2 "has no task 3.77; it has 3.1, 3.2"
 runs grader/scripts/hint
 expect "hint without a task" 2 "make hint TASK=3.2"
 runs common/setup --frobnicate

@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# What makes a check, and a lab, fail beside wrong pixels: a stage of another size, a refused call, a single failed check.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+check() { field "[c for c in r[\"labs\"][0][\"checks\"] if c[\"name\"] == \"$1\"][0][\"$2\"]"; }
+
+# A size that stands in the code.
+fixed=$(solved fixed 03)
+sed -i 's/state.size = (int)frame->knobs\[KNOB_MAP_SIZE\]/state.size = 333/' "$fixed"/03-*/lab.c
+grades --lab 03 --seed 1 --format json "$fixed"
+name="map pass at another map size"
+[[ $status == 1 && $(check "$name" score) == 0.0 ]] && ok || bad "a map of another size gets nothing" "$out"
+[[ $(check "$name" cause) == *'"shadow map" is 333 x 333, and here it has to be '* ]] && ok || bad "both sizes are named" "$out"
+
+# A refused call in a frame that is right all the same; an unknown name, which does nothing anywhere.
+refused=$(solved refused 03)
+sed -i 's/^    frame_bind(frame);/    frame_bind(frame);\n    glViewport(0, 0, -1, -1);/' "$refused"/03-*/lab.c
+grades --lab 03 --seed 1 --format json "$refused"
+[[ $status == 1 && $(field 'r["score"]') == 50.0 ]] && ok || bad "a refused call halves the points" "$out"
+[[ $(field 'r["labs"][0]["warnings"]') == *"GL_INVALID_VALUE in glViewport (lab.c:"* ]] && ok || bad "the refused call is named" "$out"
+[[ $(check "the whole picture" cause) == *"OpenGL refused a call"* ]] && ok || bad "the cause is the call" "$out"
+sed -i 's/glViewport(0, 0, -1, -1)/glEnable(GL_TEXTURE_2D)/' "$refused"/03-*/lab.c
+grades --lab 03 --seed 1 --format json "$refused"
+[[ $status == 0 && $(field 'r["score"]') == 100.0 ]] && ok || bad "an unknown name costs nothing" "$out"
+
+# One check of 8 points that fails by a third: more than 95 points, and not passed.
+single=$(solved single 03)
+sed -i 's/^    if (position_map.z > 1.0)/    if (position_map.z > 1.0 \&\& fract(gl_FragCoord.x \/ 16.0) > 0.13)/' "$single"/03-*/shadow.frag
+grades --lab 03 --seed 1 --format json "$single"
+[[ $status == 1 && $(field 'r["score"] >= 95') == True && $(field 'r["labs"][0]["status"]') == failed ]] &&
+    ok || bad "a lab with a failed check is not passed, whatever the points" "$(field 'r["score"], [(c["name"], c["score"]) for c in r["labs"][0]["checks"]]')"
+
+finish
