@@ -26,14 +26,14 @@ typedef struct Candidate {
     bool used;
 } Candidate;
 
-typedef struct Search {
+typedef struct SwapSearch {
     MixedLab lab;
     const Rubric *rubric;
     Candidate list[MAX_CANDIDATES];
     int count;
     double spent, began;
     bool stopped;
-} Search;
+} SwapSearch;
 
 static int line_of(const char *text, size_t at) {
     int line = 1;
@@ -61,7 +61,7 @@ static char *read_annotated(const Rubric *rubric, int file) {
 }
 
 // Marks the tasks whose answers lie in these bytes of our text, which has the annotated one's lines.
-static void mark_tasks(Candidate *candidate, const Search *search, size_t begin, size_t end) {
+static void mark_tasks(Candidate *candidate, const SwapSearch *search, size_t begin, size_t end) {
     const char *ours = search->lab.files[candidate->file].ours_text;
     char *annotated = read_annotated(search->rubric, candidate->file);
     TaskMarks marks = {search->rubric, candidate->tasks};
@@ -70,7 +70,7 @@ static void mark_tasks(Candidate *candidate, const Search *search, size_t begin,
     free(annotated);
 }
 
-static void mark_tasks_outside(Candidate *candidate, const Search *search) {
+static void mark_tasks_outside(Candidate *candidate, const SwapSearch *search) {
     const Functions *ours = &search->lab.files[candidate->file].ours;
     size_t from = 0;
     for (int i = 0; i <= ours->count; i++) {
@@ -83,7 +83,7 @@ static void mark_tasks_outside(Candidate *candidate, const Search *search) {
 
 // Tasks of checks that failed speak for a part, tasks of checks that passed against it; shaders are tried
 // before C, which needs the compiler.
-static void weigh(Candidate *candidate, const Search *search) {
+static void weigh(Candidate *candidate, const SwapSearch *search) {
     static const double of_kind[] = {[PART_FUNCTION] = 0, [PART_OUTSIDE] = -4, [PART_FILE] = -100};
     const LabResult *result = search->lab.result;
     const char *name = search->lab.files[candidate->file].name;
@@ -100,7 +100,7 @@ static void weigh(Candidate *candidate, const Search *search) {
     }
 }
 
-static Candidate *add(Search *search, PartKind kind, int file, const char *name, const char *called) {
+static Candidate *add(SwapSearch *search, PartKind kind, int file, const char *name, const char *called) {
     static Candidate spare;
     Candidate *candidate = search->count < MAX_CANDIDATES ? &search->list[search->count++] : &spare;
     *candidate = (Candidate){.kind = kind, .file = file, .name = name, .called = called};
@@ -122,7 +122,7 @@ static const char *find_renamed(const MixedFile *file, const char *name) {
     return found;
 }
 
-static void add_function(Search *search, int file, const Function *ours) {
+static void add_function(SwapSearch *search, int file, const Function *ours) {
     const MixedFile *mixed = &search->lab.files[file];
     const char *called = NULL;
     if (functions_find(&mixed->ours, ours->name) != ours ||
@@ -135,7 +135,7 @@ static void add_function(Search *search, int file, const Function *ours) {
 }
 
 // Parts that are the same in both are no candidates.
-static void list_candidates(Search *search) {
+static void list_candidates(SwapSearch *search) {
     for (int i = 0; i < search->rubric->file_count; i++) {
         const MixedFile *file = &search->lab.files[i];
         const bool split = !file->theirs.whole && !file->ours.whole;
@@ -171,7 +171,7 @@ static void choose(MixedFile *file, const Candidate *candidate) {
     }
 }
 
-static int try_choice(Search *search, int file) {
+static int try_choice(SwapSearch *search, int file) {
     const char *name = search->lab.files[file].name;
     search->spent += strchr(name, '.')[2] == '\0' ? COST_OF_C : COST_OF_SHADERS;
     search->spent += COST_OF_FRAME * search->lab.failed_count;
@@ -179,7 +179,7 @@ static int try_choice(Search *search, int file) {
 }
 
 // With the text outside of functions, too, when it does not fit the student's without.
-static int try_candidate(Search *search, const Candidate *candidate) {
+static int try_candidate(SwapSearch *search, const Candidate *candidate) {
     MixedFile *file = &search->lab.files[candidate->file];
     const MixedFile before = *file;
     choose(file, candidate);
@@ -193,14 +193,14 @@ static int try_candidate(Search *search, const Candidate *candidate) {
     return passing;
 }
 
-static bool is_over(Search *search) {
+static bool is_over(SwapSearch *search) {
     search->stopped = search->stopped || search->spent >= BUDGET || process_now() > search->began + CLOCK;
     return search->stopped;
 }
 
 // The part that makes more than `passing` checks pass, and most; a whole file only when no smaller part does.
 // NULL: none. Sets *passing.
-static Candidate *find_best(Search *search, int *passing) {
+static Candidate *find_best(SwapSearch *search, int *passing) {
     Candidate *best = NULL;
     for (int i = 0; i < search->count && *passing < search->lab.failed_count && !is_over(search); i++) {
         Candidate *candidate = &search->list[i];
@@ -230,7 +230,7 @@ static void list_helpers(FaultPart *part, const MixedFile *file, const Candidate
     }
 }
 
-static void note_part(Fault *fault, const Search *search, const Candidate *candidate) {
+static void note_part(Fault *fault, const SwapSearch *search, const Candidate *candidate) {
     FaultPart *part = &fault->parts[fault->count++];
     const MixedFile *file = &search->lab.files[candidate->file];
     int count = 0;
@@ -246,7 +246,7 @@ static void note_part(Fault *fault, const Search *search, const Candidate *candi
             part->tasks[count++] = search->rubric->hints[t].task;
 }
 
-static void search_parts(Fault *fault, Search *search) {
+static void search_parts(Fault *fault, SwapSearch *search) {
     int passing = 0;
     fault->failed = search->lab.failed_count;
     list_candidates(search);
@@ -273,10 +273,10 @@ static void list_open(char *list, size_t size, const OpenTasks *tasks, const Rub
 
 bool swap_find(Fault *fault, const LabResult *result, Exam *exam, const WorkerClient *student,
                const OpenTasks *tasks, const bool failed[]) {
-    static Search search;
+    static SwapSearch search;
     char open[EXAM_MAX_TASKS * 8];
     *fault = (Fault){0};
-    search = (Search){.rubric = exam->rubric, .began = process_now()};
+    search = (SwapSearch){.rubric = exam->rubric, .began = process_now()};
     list_open(open, sizeof open, tasks, exam->rubric);
     const Solved solved = open[0] ? (Solved){SOLVED_WITHOUT, open} : (Solved){SOLVED_ALL, NULL};
     const bool ok = mixed_lab_open(&search.lab, result, exam, student, solved);
