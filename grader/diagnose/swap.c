@@ -230,7 +230,18 @@ static void list_helpers(FaultPart *part, const MixedFile *file, const Candidate
     }
 }
 
+// A whole file stands for the parts of it that were found before.
+static void forget_parts(Fault *fault, const char *file) {
+    int count = 0;
+    for (int i = 0; i < fault->count; i++)
+        if (strcmp(fault->parts[i].file, file) != 0)
+            fault->parts[count++] = fault->parts[i];
+    fault->count = count;
+}
+
 static void note_part(Fault *fault, const SwapSearch *search, const Candidate *candidate) {
+    if (candidate->kind == PART_FILE)
+        forget_parts(fault, search->lab.files[candidate->file].name);
     FaultPart *part = &fault->parts[fault->count++];
     const MixedFile *file = &search->lab.files[candidate->file];
     int count = 0;

@@ -1,5 +1,6 @@
 #include "grade/grade_lab.h"
 
+#include "grade/address.h"
 #include "scene/check.h"
 #include "base/statistics.h"
 #include "compile/lab_folder.h"
@@ -224,6 +225,7 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     worker_client_begin(student);
     grade_frames(result, exam, student, exam->painters && !options->untimed);
     note_output(result, student->process.text);
+    address_explain(result, student, exam->rubric);
     return diagnose(result, exam, student, !options->no_swap) &&
            (!options->evidence || evidence_attach(result, exam));
 }
