@@ -228,7 +228,8 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     grade_frames(result, exam, student, exam->painters && !options->untimed);
     note_output(result, student->process.text);
     address_explain(result, student, exam->rubric);
-    return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
+    return diagnose(result, exam, student, !options->no_swap) &&
+           (!options->evidence || evidence_attach(result, exam));
 }
 
 bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, const GradeOptions *options) {
