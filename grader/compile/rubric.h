@@ -79,6 +79,9 @@ int rubric_points(const Rubric *rubric);
 // The task with the number n ("3.4" for 4); NULL when no check is about it.
 const char *rubric_task(const Rubric *rubric, int n);
 
+// The number of a task among all of the lab, from 0, in their order; -1 when there is no such task.
+int rubric_task_index(const Rubric *rubric, const char *task);
+
 // The n-th hint (from 0) of a task; NULL past the last.
 const char *rubric_hint(const Rubric *rubric, const char *task, int n);
 
