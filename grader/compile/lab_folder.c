@@ -1,3 +1,5 @@
+// Makes a lab's folder: from our annotated source with a choice of tasks and edits (kept in build/cache by a
+// hash), or from a submission's files.
 #include "compile/lab_folder.h"
 
 #include "scene/check.h"
@@ -53,15 +55,19 @@ static bool apply_edits(Texts *texts, const Rubric *rubric, const Change *change
     return true;
 }
 
+char *lab_folder_source(const Rubric *rubric, int i, Solved solved) {
+    char path[FILES_PATH];
+    files_join(path, rubric->folder, rubric->files[i]);
+    char *text = files_read(path, DERIVE_MAX_FILE);
+    if (text)
+        replace_text(&text, task_blocks_select(rubric->files[i], text, solved, true));
+    return text;
+}
+
 static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
-    for (int i = 0; i < rubric->file_count; i++) {
-        char path[FILES_PATH];
-        files_join(path, rubric->folder, rubric->files[i]);
-        texts->of[i] = files_read(path, DERIVE_MAX_FILE);
-        if (!texts->of[i] ||
-            !replace_text(&texts->of[i], task_blocks_select(rubric->files[i], texts->of[i], solved, true)))
+    for (int i = 0; i < rubric->file_count; i++)
+        if (!(texts->of[i] = lab_folder_source(rubric, i, solved)))
             return false;
-    }
     return true;
 }
 
@@ -173,4 +179,18 @@ bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rub
 bool lab_folder_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                            char log[COMPILE_LOG]) {
     return lab_folder_again(folder, NULL, rubric, submission, jail, log);
+}
+
+bool lab_folder_mixed(const char *folder, const char *earlier, const Rubric *rubric, char *const *texts,
+                      const Jail *jail) {
+    static _Thread_local char log[COMPILE_LOG];
+    Texts mixed = {0};
+    char source[FILES_PATH];
+    memcpy(mixed.of, texts, sizeof *texts * (size_t)rubric->file_count);
+    bool ok = write_texts(folder, rubric, &mixed) && given_place(folder, rubric->id, jail) &&
+              (take_library(folder, earlier, rubric) || compiler_build(folder, jail, log));
+    files_join(source, folder, "lab.c");
+    unlink(source);
+    check_clear();
+    return ok;
 }

@@ -27,4 +27,13 @@ bool lab_folder_submission(const char *folder, const Rubric *rubric, const char 
 bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
                       const Jail *jail, char log[COMPILE_LOG]);
 
+// The same from texts, in the order of rubric->files, of which some are ours: the folder is for a diagnosis.
+// Of lab.c only lab.so stays there. False when it does not compile, without a word of why.
+bool lab_folder_mixed(const char *folder, const char *earlier, const Rubric *rubric, char *const *texts,
+                      const Jail *jail);
+
+// Our source of the file number i, with these tasks solved; its lines have the numbers of the annotated one.
+// The caller frees it; NULL with a message.
+char *lab_folder_source(const Rubric *rubric, int i, Solved solved);
+
 enum { DERIVE_MAX_FILE = 1 << 18 };
