@@ -83,17 +83,18 @@ static void make_sun(Scene *scene, Random *random) {
     sun_from(scene, random, place_light(random, 40, 75, random_range(random, 6, 12)));
 }
 
-// Casters over the lamp, one that reaches past it, casters under the floor, and one half in it.
+// Casters over the lamp and under the floor, each on a line through the lamp and a place that one sees; and
+// some in the floor and over it.
 static void make_between(Scene *scene, Random *random) {
     part_begin(scene, random);
     tilt(part_floor(scene, 6, random), random_range(random, -10, 10), random_range(random, -10, 10), 0);
     float_casters(scene, random, 3, -0.2f, 1.2f);
     vec3s lamp = place_light(random, 45, 75, random_range(random, 3.2f, 4));
     for (int i = 0; i < 4; i++) {
-        float r = random_range(random, 0.25f, 0.4f), side = i % 2 ? 1 : -1;
-        vec3s aside = vec3_make(side * random_range(random, 0.5f, 0.8f), i < 2 ? 0.7f : -lamp.y - 0.9f,
-                                random_range(random, -0.5f, 0.5f));
-        part_object(scene, SHAPE_BOX, glms_vec3_add(lamp, aside), vec3_make(r, i == 0 ? 0.9f : r, r),
+        float r = random_range(random, 0.35f, 0.5f);
+        vec3s seen = vec3_make(1.2f * (float)i - 1.8f, 0, random_range(random, 0.9f, 1.9f));
+        float far = i % 2 ? random_range(random, -0.5f, -0.35f) : random_range(random, 1.25f, 1.4f);
+        part_object(scene, SHAPE_BOX, glms_vec3_lerp(lamp, seen, far), vec3_make(r, 0.15f, r),
                     random_range(random, 0, 90), part_color(random));
     }
     if (random_int(random, 0, 2)) {
