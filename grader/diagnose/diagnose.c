@@ -73,7 +73,7 @@ static bool find_suspects(Diagnosis *this) {
     const Rubric *rubric = this->exam->rubric;
     const Fault *fault = &this->result->fault;
     for (int i = 0; i < fault->count; i++)
-        for (int k = 0; k < 4 && fault->parts[i].tasks[k]; k++)
+        for (int k = 0; k < FAULT_TASKS && fault->parts[i].tasks[k]; k++)
             among[rubric_task_index(rubric, fault->parts[i].tasks[k])] = any = true;
     for (int t = 0; fault->count == 0 && t < rubric->hint_count; t++)
         among[t] = !this->open.open[t];

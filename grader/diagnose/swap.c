@@ -252,7 +252,7 @@ static void note_part(Fault *fault, const SwapSearch *search, const Candidate *c
         snprintf(part->ours, sizeof part->ours, "%s", candidate->name);
         list_helpers(part, file, candidate);
     }
-    for (int t = 0; t < search->rubric->hint_count && count < 4; t++)
+    for (int t = 0; t < search->rubric->hint_count && count < FAULT_TASKS; t++)
         if (candidate->tasks[t])
             part->tasks[count++] = search->rubric->hints[t].task;
 }

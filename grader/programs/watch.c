@@ -201,8 +201,8 @@ static void watch_terminal(Watch *watch) {
 static void print_once(Watch *watch) {
     static Sheet sheet;
     ask(watch);
-    while (watch->bench.busy && !grading_process_take(&watch->bench))
-        ;
+    while (watch->bench.busy)
+        grading_process_take(&watch->bench);
     lab_board_take(&watch->board, &watch->bench.verdict);
     sheet_begin(&sheet, PLAIN_WIDTH);
     screens_lab(&sheet, &watch->board, false);
