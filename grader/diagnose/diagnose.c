@@ -149,7 +149,7 @@ static void name_faults(Diagnosis *this) {
 bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, bool swap) {
     static Diagnosis this;
     this = (Diagnosis){.result = result, .exam = exam, .named = {-1, -1, false}};
-    open_tasks_find(&this.open, exam->rubric, student->folder);
+    open_tasks_find(&this.open, result, exam, student->folder);
     sort_checks(&this);
     if (!this.any_failed) {
         if (this.next)

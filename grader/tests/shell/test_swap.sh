@@ -27,8 +27,8 @@ found() {
     said=$(summary)
     [[ $said == *"\`$5\` ($3)"*"pass"* ]] && ok || bad "$1: the fault is in $5" "$said"
 }
-found "a far plane of its own" 03 lab.c 's/glm_rad(light->fov_deg)/glm_rad(light->fov_deg * 0.5f)/; s/light->fov_y/0.5f * light->fov_y/' light_clip_from_world
-found "the depth is squared" 03 shadow.frag 's/return p.z/return p.z * p.z/; s/\.z \* 0\.5/.z * 0.6/' visibility
+found "half the field of view" 03 lab.c 's/light->fov_y/0.5f * light->fov_y/' light_clip_from_world
+found "the depth is compared with its square" 03 shadow.frag 's/depth < position_map\.z/depth < position_map.z * position_map.z/' visibility
 found "a cap is missing" 07 volume.geom 's/    emit(at_infinity(c));/    emit(here(c));/' emit_caps
 found "no stencil test" 07 lab.c 's/    glEnable(GL_STENCIL_TEST);//' draw_volumes
 
