@@ -1,3 +1,4 @@
+// Looks for the TODO of each task, and whether anything was written in its place.
 #include "diagnose/open_tasks.h"
 
 #include "base/files.h"
