@@ -55,7 +55,7 @@ static void make_far_floor(Scene *scene, Random *random) {
     part_light(scene, spot ? LIGHT_SPOT : LIGHT_DIRECTIONAL, part_above(random, 35, 45, 10),
                vec3_make(0, 0, 0));
     scene->lights[0].far_plane = random_range(random, 10.2f, 10.8f);
-    scene->lights[0].half_size = 6;
+    scene->lights[0].half_size = 4.2f; // the corners of the floor lie outside of the map
 }
 
 // The lamp hangs low over the floor and looks to the side: half of the floor lies behind it.
