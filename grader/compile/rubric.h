@@ -1,5 +1,8 @@
 // What a lab is graded by: solutions/NN-name/rubric.json, mistakes.json, alternatives.json and hints.json,
 // read once (rubric_file.h).
+//
+// Interface: rubric_load (rubric_file.h) fills a Rubric, rubric_destroy frees it; between them it is read
+// only. rubric_task, rubric_hint, rubric_mistake and rubric_alternative find parts of it.
 #pragma once
 
 #include "base/json_fields.h"
@@ -32,7 +35,7 @@ typedef struct Check {
     int knob_count;
     const char *scenes[RUBRIC_MAX_CHOICES]; // walked through as the knobs' choices are
     int scene_count;                        // at least 1 in a rubric that was read
-    bool large;                             // its frames are larger than 640 x 480, see exam/draw.h
+    bool large;                             // its frames are larger than 640 x 480, see exam/exam_draw.h
 } Check;
 
 // The solution changed in a few places: a mistake (with its task and a hint) or another correct way.
@@ -78,6 +81,9 @@ int rubric_points(const Rubric *rubric);
 
 // The task with the number n ("3.4" for 4); NULL when no check is about it.
 const char *rubric_task(const Rubric *rubric, int n);
+
+// The number of a task among all of the lab, from 0, in their order; -1 when there is no such task.
+int rubric_task_index(const Rubric *rubric, const char *task);
 
 // The n-th hint (from 0) of a task; NULL past the last.
 const char *rubric_hint(const Rubric *rubric, const char *task, int n);

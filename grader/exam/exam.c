@@ -1,7 +1,9 @@
+// Draws variants until enough are worth asking, and later pictures (mistakes, partly solved labs) when they
+// are first asked for.
 #include "exam/exam.h"
 
 #include "scene/check.h"
-#include "exam/draw.h"
+#include "exam/exam_draw.h"
 #include "score/score.h"
 
 #include <string.h>

@@ -1,5 +1,9 @@
 // The frames that a lab is graded by: for each check of the rubric some variants drawn from a seed, with what
 // the solution draws for them, what it draws without the check's task and what the skeleton draws.
+//
+// Interface: exam_create draws them from a seed (exam_restore: only the requests), exam_destroy frees them.
+// Then read exam->variants[check][n]; ask exam_mistake, exam_partial and exam_also for more pictures of one.
+// exam_acceptable says which variants are taken.
 #pragma once
 
 #include "exam/painters.h"
@@ -22,6 +26,8 @@ typedef struct LatePicture {
     Image image; // owned; empty when it is the reference's
 } LatePicture;
 
+typedef enum ExamEntry { EXAM_UNKNOWN, EXAM_PASSES, EXAM_FAILS } ExamEntry;
+
 typedef struct Exam {
     const Rubric *rubric;
     Painters *painters; // draws what is asked for later; NULL when everything was recorded
@@ -32,6 +38,7 @@ typedef struct Exam {
     float milliseconds[RUBRIC_MAX_CHECKS]; // of the solution in a check's last variant; 0: not measured yet
     LatePicture mistakes[EXAM_MAX_MISTAKES][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    ExamEntry without_task[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS]; // see exam_matrix.h
     LatePicture also[RUBRIC_MAX_ALSO][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
 } Exam;
 

@@ -1,4 +1,8 @@
 // Our end of a worker process: one lab, asked for frames.
+//
+// Interface: fill in folder, trust, jail, context and seconds; worker_client_draw asks for one frame,
+// worker_client_describe for the lab's table; both start the process when it does not run. A lost worker
+// stays lost until worker_client_restart. worker_client_stop ends it. One thread at a time.
 #pragma once
 
 #include "scene/context_kind.h"
@@ -26,7 +30,10 @@ typedef struct WorkerClient {
     double patience;     // wall time that it may use, in units of that; 0: 1
     bool each_turn; // `seconds` is wall time and starts again with worker_client_begin, whoever draws: for a
                     // window
+    bool address;   // lab.so is compiled with AddressSanitizer, which says on standard error what it finds
     bool started;
+    bool has_crash;      // by SEGV, ABRT or BUS
+    Request crash;       // the first for which it did
     int restarts;        // by worker_client_restart
     double used_seconds; // processor time of the workers before this one
     Process process;

@@ -1,4 +1,7 @@
-// How wrong a picture is, from the pixels alone. grader/README.md gives the reasons. No GL.
+// How wrong a picture is, from the pixels alone. README.md beside it gives the reasons. No GL.
+//
+// Interface: score_frame scores a picture against three of ours; score_pixel, score_count, score_rmse and
+// score_mask compare two pictures; score_not_finite looks at one. Pure functions, from any thread.
 #pragma once
 
 #include "scene/image.h"
@@ -9,6 +12,8 @@ enum {
     SCORE_TOLERANCE = 2, // of 255: channels this near are equal
     SCORE_WINDOW = 16    // side of the windows in which errors outside the mask are averaged
 };
+
+#define SCORE_PASSED 0.95 // a check with this share of its points is passed
 
 typedef struct FrameScore {
     double inside;  // share of wrong pixels among those that the task, or the whole lab, changes: the larger,
