@@ -5,7 +5,8 @@ BUILD ?= build
 LAB ?=
 SUBMISSION ?= labs
 ARGS ?=
-LAB_OPTION = $(if $(LAB),--lab $(LAB))
+LAB_OPERAND = $(if $(LAB),'$(LAB)')
+LAB_OPTION = $(if $(LAB),--lab '$(LAB)')
 SCRIPTS := grader/scripts
 
 build: programs ## build everything (default)
@@ -29,13 +30,13 @@ run: build $(BUILD)/view ## open a lab in a window: make run LAB=05 [ARGS="--see
 	$(BUILD)/view $(LAB_OPTION) $(if $(filter-out labs,$(SUBMISSION)),--submission $(SUBMISSION)) $(ARGS)
 
 hint: ## show the hints of a task: make hint TASK=3.2
-	@$(SCRIPTS)/hint $(TASK)
+	@$(SCRIPTS)/hint $(if $(TASK),'$(TASK)')
 
 trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame debugger: make trace LAB=03 [TOOL=renderdoc] [SCENE="far floor"]
-	@TOOL="$(TOOL)" SCENE="$(SCENE)" $(SCRIPTS)/trace $(LAB)
+	@TOOL="$(TOOL)" SCENE="$(SCENE)" $(SCRIPTS)/trace $(LAB_OPERAND)
 
 reset: $(filter $(BUILD)/skeletons,$(PROGRAMS)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
-	@$(SCRIPTS)/reset $(LAB)
+	@$(SCRIPTS)/reset $(LAB_OPERAND)
 
 site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: build/site/index.html (needs common/setup --check)
 	@command -v cmark-gfm >/dev/null || { echo "cmark-gfm is missing; it comes with: common/setup --check" >&2; exit 1; }
@@ -44,14 +45,21 @@ site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: 
 skeletons: build ## make labs/ from solutions/
 	@$(BUILD)/skeletons labs
 
+new-lab: ## begin a new lab from a template: make new-lab LAB=09 NAME="soft shadows"
+	@mkdir -p $(BUILD)
+	@$(SCRIPTS)/new_lab $(BUILD) "$$LAB" "$$NAME" # from the environment, as they are
+
 pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
-	@$(SCRIPTS)/pictures $(LAB)
+	@$(SCRIPTS)/pictures $(LAB_OPERAND)
 
 contexts: build ## do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
-	@$(SCRIPTS)/contexts $(BUILD) $(LAB)
+	@$(SCRIPTS)/contexts $(BUILD) $(LAB_OPERAND)
 
 table: build ## measure the scenes, prove the rubrics, and put both tables into grader/README.md
 	@$(SCRIPTS)/table
+
+mutants: build ## does each rubric notice every small change of its solution? make mutants [LAB=03] [ARGS="--seeds 3"]
+	$(BUILD)/mutants $(LAB_OPTION) $(ARGS)
 
 test: build tests ## run all tests
 	@grader/tests/run $(BUILD)
@@ -87,10 +95,10 @@ compile_commands.json: ## for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
 kit: build ## pack the kit for students, without solutions: build/shadow-lab-kit.tar.gz [LAB=03: can grade only that]
-	@$(SCRIPTS)/make_kit $(BUILD) $(LAB)
+	@$(SCRIPTS)/make_kit $(BUILD) $(LAB_OPERAND)
 
 gradescope: ## pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]
-	@$(SCRIPTS)/make_gradescope $(BUILD) $(LAB)
+	@$(SCRIPTS)/make_gradescope $(BUILD) $(LAB_OPERAND)
 
 clean: ## remove what was built
 	rm -rf $(BUILD)

@@ -33,7 +33,7 @@ mat4s frame_clip_from_world(const Frame *frame);
 void draw_scene(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
 
 // Uses the program and sets, where it has them: u_clip_from_world and the uniforms of
-// shaders/lighting.glsl that belong to the frame, with `eye` as the place of the viewer (for highlights).
+// shaders/lights.glsl that belong to the frame, with `eye` as the place of the viewer (for highlights).
 // Others keep what the lab gave them.
 void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye);
 

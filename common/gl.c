@@ -10,6 +10,7 @@
 
 static char first_error[512];
 static bool refused;
+static unsigned long first_error_place;
 static GLuint last_framebuffer; // the last one bound that is not 0
 
 static const char *error_name(GLenum error) {
@@ -50,16 +51,14 @@ static const char *framebuffer_status(GLenum status) {
     }
 }
 
-void gl_append_caller(char *text, size_t size, void *const *frames, int count) {
+unsigned long gl_caller(void *const *frames, int count) {
     for (int i = 0; i < count; i++) {
         Dl_info info;
-        if (!dladdr(frames[i], &info) || !info.dli_fname || !strstr(info.dli_fname, "lab.so"))
-            continue;
         // A return address points behind its call.
-        check_append(text, size, " @0x%lx@",
-                     (unsigned long)((uintptr_t)frames[i] - (uintptr_t)info.dli_fbase - 1));
-        return;
+        if (dladdr(frames[i], &info) && info.dli_fname && strstr(info.dli_fname, "lab.so"))
+            return (unsigned long)((uintptr_t)frames[i] - (uintptr_t)info.dli_fbase - 1);
     }
+    return 0;
 }
 
 static void before_call(const char *name, GLADapiproc function, int count, ...) {
@@ -117,7 +116,7 @@ static void after_call(void *result, const char *name, GLADapiproc function, int
         check_append(first_error, sizeof first_error, " (the bound framebuffer is %s)",
                      framebuffer_status(status));
     void *frames[16];
-    gl_append_caller(first_error, sizeof first_error, frames, backtrace(frames, 16));
+    first_error_place = gl_caller(frames, backtrace(frames, 16));
 }
 
 bool gl_load(GLADloadfunc load) {
@@ -139,7 +138,12 @@ bool gl_refused(void) {
     return refused;
 }
 
+unsigned long gl_error_place(void) {
+    return first_error_place;
+}
+
 void gl_clear_error(void) {
+    first_error_place = 0;
     first_error[0] = '\0';
     refused = false;
 }

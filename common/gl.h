@@ -10,8 +10,9 @@
 bool gl_load(GLADloadfunc load);
 
 // "GL_INVALID_ENUM in glTexImage2D" of the first failing call since gl_clear_error; "" when all is well.
-// Where the call stands in lab.so, gl_append_caller's mark follows.
 const char *gl_error(void);
+// Where that call stands in lab.so: an offset for addr2line; 0 when it is not from there.
+unsigned long gl_error_place(void);
 void gl_clear_error(void);
 
 // Did a call fail since gl_clear_error with anything but GL_INVALID_ENUM? A refused call should change
@@ -19,8 +20,8 @@ void gl_clear_error(void);
 // anything.
 bool gl_refused(void);
 
-// Appends " @0xOFFSET@" of the innermost of the `count` return addresses that lies in lab.so (for addr2line).
-void gl_append_caller(char *text, size_t size, void *const *frames, int count);
+// The offset in lab.so of the innermost of the `count` return addresses that lies in it; 0 when none does.
+unsigned long gl_caller(void *const *frames, int count);
 
 // Checks that the framebuffer bound to GL_FRAMEBUFFER is complete, or where it was unbound already (0), the
 // last one that was bound. The message names `what` and the reason.

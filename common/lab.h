@@ -10,10 +10,12 @@
 #include "scene/mathx.h"
 #include "program.h"
 #include "scene/scene.h"
-#include "shadow_map.h"
-#include "target.h"
 
 #include <stdbool.h>
+
+#ifndef LAB_WITHOUT_EARLIER // which is then included beside it
+#include "earlier.h"
+#endif
 
 // UNUSED(frame, program); keeps the compiler quiet about what only a later task uses. Values
 // and functions of any type.
@@ -22,19 +24,33 @@ static inline void lab_leave_unused(int first, ...) {
     (void)first;
 }
 
-enum { LAB_MAX_PASSES = 8, LAB_MAX_KNOBS = 12, LAB_MAX_STAGES = 8, LAB_MAX_PROGRAMS = 8, LAB_MAX_NAME = 32 };
+enum {
+    LAB_MAX_PASSES = 8,
+    LAB_MAX_KNOBS = 12,
+    LAB_MAX_STAGES = 8,
+    LAB_MAX_PROGRAMS = 8,
+    LAB_MAX_CHOICES = 12,
+    LAB_MAX_NAME = 32
+};
 
-// A parameter that the window puts on keys, the grader sets and the study sweeps.
+// A parameter that the window puts on keys, the grader sets and the study sweeps. One that chooses names its
+// choices: value 0 is the first of them, and what lies between low and high has a name.
 typedef struct Knob {
     const char *name, *unit;
     float low, high, value; // value: the default
+    const char *choices[LAB_MAX_CHOICES + 1];
 } Knob;
+
+// What a pass is for. The study counts what prepares and what makes the picture apart; what only shows
+// something, as a stage or a lens, is nobody's cost.
+typedef enum PassKind { PASS_PICTURE, PASS_PREPARE, PASS_SHOW } PassKind;
 
 // One step of a frame; passes run in the order of the table. A pass sets what it needs (framebuffer,
 // viewport, state): nothing is reset between passes, only before the first one (see gl_reset).
 typedef struct Pass {
     const char *name;
     void (*draw)(const Frame *frame);
+    PassKind kind;
 } Pass;
 
 // An intermediate result to look at: a 2D texture that the lab owns, colour or depth. It

@@ -55,9 +55,9 @@ $(BUILD)/include/glad/gl.h:
 # What every lab.c begins with, compiled once: gcc takes half the time for a submission. given.h itself is only read when the
 # compiler's flags are not those of lab.flags.
 $(BUILD)/include/given.h.gch: $(wildcard common/*.h common/scene/*.h) common/lab.flags | $(BUILD)/include/glad/gl.h
-	echo '#include "lab.h"' >$(@:.gch=)
+	printf '#define LAB_WITHOUT_EARLIER\n#include "lab.h"\n' >$(@:.gch=)
 	$(CC) @common/lab.flags -Icommon -Icommon/scene -isystem $(BUILD)/include -o $@ $(@:.gch=)
-	printf '#include "lab.h"\n#define GIVEN_NOT_PRECOMPILED\n' >$(@:.gch=)
+	printf '#define LAB_WITHOUT_EARLIER\n#include "lab.h"\n#define GIVEN_NOT_PRECOMPILED\n' >$(@:.gch=)
 $(BUILD)/glad/%.o: $(BUILD)/include/glad/gl.h
 	$(CC) -O1 -w -I$(BUILD)/include -c -o $@ $(BUILD)/glad/src/$*.c
 $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
@@ -86,9 +86,22 @@ $(ARCHIVE): $(ROOM_OBJECTS) $(COMMON)
 	@rm -f $@ && ar rcs $@ $^
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/grader/programs/%.o $(ARCHIVE)
 	$(call LINK,$<)
-# A lab finds all of common/ in the worker that loads it.
-$(BUILD)/worker: $(call objects,grader/worker/*.c) $(COMMON) $(ARCHIVE) $(BUILD)/include/given.h.gch
-	$(CC) $(SANITIZE) -rdynamic -o $@ $(filter %.o,$^) -Wl,--as-needed $(ARCHIVE) $(LIBS)
+# A lab finds in the worker that loads it what all labs are given, and beside itself, in a library, what it is given of earlier labs
+# (common/GIVEN).
+HELPERS := $(filter %.h,$(shell grep '^[0-9]' common/GIVEN))
+HELPERS := $(filter $(wildcard common/*.c common/scene/*.c),$(patsubst %.h,common/%.c,$(HELPERS)))
+HELPER_OBJECTS := $(patsubst common/%.c,$(BUILD)/given/objects/%.o,$(HELPERS))
+GIVEN := $(patsubst %,$(BUILD)/given/%/given.so,$(sort $(foreach folder,$(wildcard labs/[0-9]* solutions/[0-9]*),$(call lab_id,$(folder)/))) all)
+$(HELPER_OBJECTS): $(BUILD)/given/objects/%.o: common/%.c | $(BUILD)/include/glad/gl.h
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) -fPIC -c -o $@ $<
+$(GIVEN): $(BUILD)/given/%/given.so: common/GIVEN common/earlier.h grader/compile/given $(HELPER_OBJECTS)
+	@CC="$(CC)" SANITIZE="$(SANITIZE)" grader/compile/given $(BUILD) $*
+$(BUILD)/given/exports: $(filter-out $(patsubst %.c,$(BUILD)/%.o,$(HELPERS)),$(COMMON))
+	@mkdir -p $(@D)
+	@{ echo '{'; nm -g --defined-only $^ | awk 'NF == 3 { print $$3 ";" }'; echo '};'; } >$@
+$(BUILD)/worker: $(call objects,grader/worker/*.c) $(COMMON) $(ARCHIVE) $(BUILD)/include/given.h.gch $(BUILD)/given/exports $(GIVEN)
+	$(CC) $(SANITIZE) -Wl,--dynamic-list=$(BUILD)/given/exports -o $@ $(filter %.o,$^) -Wl,--as-needed $(ARCHIVE) $(LIBS)
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/c/%.o $(call objects,grader/tests/helpers/*.c) $(ARCHIVE)
 	$(call LINK,$(filter %.o,$^)) -lcmocka
 $(foreach file,$(call brought,witness),$(eval $(call witness,$(file)): $(BUILD)/$(file:.c=.o)))

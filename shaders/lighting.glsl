@@ -4,29 +4,7 @@
 // The visibility view sets u_flat_light: then the ambient part is black and the other part white wherever the
 // surface faces the light, so that the picture shows nothing but the shadow.
 
-struct Light {
-    vec3 position_world;
-    vec3 target_world;
-    vec3 color;
-    bool is_directional;
-};
-
-uniform Light u_lights[4];
-uniform int u_light_count;
-uniform vec3 u_ambient_light;
-uniform bool u_flat_light;
-uniform vec3 u_eye_world;
-
-uniform vec3 u_color;
-uniform float u_specular;
-uniform float u_shininess;
-
-// Unit vector from the surface to light i.
-vec3 direction_to_light(int i, vec3 position_world) {
-    if (u_lights[i].is_directional)
-        return normalize(u_lights[i].position_world - u_lights[i].target_world);
-    return normalize(u_lights[i].position_world - position_world);
-}
+#include "lights.glsl"
 
 vec3 phong_ambient() {
     return u_flat_light ? vec3(0.0) : u_ambient_light * u_color;

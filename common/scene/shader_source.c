@@ -27,9 +27,10 @@ static char *read_stream(FILE *file) {
 }
 
 static char *read_shader(const char *name) {
-    for (int i = 0; i < 2; i++) {
+    static const char *const parts[] = {"", "/given", ""};
+    for (int i = 0; i < 3; i++) {
         char path[4096];
-        snprintf(path, sizeof path, "%s/%s", folders[i], name);
+        snprintf(path, sizeof path, "%s%s/%s", folders[i / 2], parts[i], name);
         FILE *file = fopen(path, "r");
         if (file)
             return read_stream(file);

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 static const char *program_folder(void) {
-    static char path[FILES_PATH];
+    static char path[FILES_PATH]; // found at the first call
     if (!path[0]) {
         ssize_t length = readlink("/proc/self/exe", path, sizeof path - 1);
         INVARIANT(length > 0);
@@ -65,19 +65,29 @@ bool places_find_lab(char path[FILES_PATH], const char *id) {
 }
 
 typedef struct Walk {
+    const char *labs;
+    char last[3]; // id
+    bool ok;
     void (*visit)(const char *id, void *context);
     void *context;
 } Walk;
 
 static void visit_lab(const char *name, void *context) {
-    const Walk *walk = context;
+    Walk *walk = context;
+    if (!places_is_lab_name(name) || !walk->ok)
+        return;
     const char id[3] = {name[0], name[1], '\0'};
-    if (places_is_lab_name(name))
-        walk->visit(id, walk->context);
+    if (strcmp(id, walk->last) == 0) {
+        walk->ok = check_fail("%s holds two folders of lab %s; rename one", walk->labs, id);
+        return;
+    }
+    memcpy(walk->last, id, sizeof id);
+    walk->visit(id, walk->context);
 }
 
 bool places_list_labs(void (*visit)(const char *id, void *context), void *context) {
     char labs[FILES_PATH];
     labs_folder(labs);
-    return files_list(labs, visit_lab, &(Walk){visit, context});
+    Walk walk = {.labs = labs, .ok = true, .visit = visit, .context = context};
+    return files_list(labs, visit_lab, &walk) && walk.ok;
 }

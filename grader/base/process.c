@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 enum { REPLY_DESCRIPTOR = 3 };
+static const double LAST_WORDS = 0.3; // seconds
 
 double process_now(void) {
     struct timespec now;
@@ -59,6 +60,8 @@ static _Noreturn void run_child(const int *ends, char *const *arguments, char *c
     dup2(output, STDERR_FILENO);
     dup2(replies, REPLY_DESCRIPTOR);
     close_range(REPLY_DESCRIPTOR + 1, ~0u, 0);
+    signal(SIGXCPU,
+           limits->untrusted ? SIG_IGN : SIG_DFL); // see hear_last_words: not for what wraps the program
     if (limits->untrusted)
         leave_us(limits, parent);
     else if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0)
@@ -193,6 +196,19 @@ static void wait_for_end(Process *process) {
         collect(process);
 }
 
+// Its time is over. What watches for SIGXCPU may say in a moment where it was; the others die by it or go on.
+static void hear_last_words(Process *process) {
+    const double end = process_now() + LAST_WORDS;
+    const ProcessState state = process->state;
+    kill(-process->pid, SIGXCPU);
+    while (process->output >= 0 && process_now() < end) {
+        struct pollfd event = {.fd = process->output, .events = POLLIN};
+        if (poll(&event, 1, 20) > 0 && !take_output(process))
+            break;
+    }
+    process->state = state;
+}
+
 // The process has closed its replies: it is ending. Give it until the deadline to do so, then collect it.
 static void reap(Process *process) {
     while (process->state == PROCESS_RUNNING && process->pid > 0) {
@@ -204,8 +220,9 @@ static void reap(Process *process) {
     }
     if (process->state == PROCESS_RUNNING)
         process->state = PROCESS_ENDED;
-    else
-        kill_all(process);
+    if (process->state == PROCESS_TIMED_OUT && !process->cancelled && process->pid > 0)
+        hear_last_words(process);
+    kill_all(process);
 }
 
 static bool send_some(Process *process, const char *request, size_t size, size_t *sent) {
@@ -240,6 +257,16 @@ bool process_exchange(Process *process, const void *request, size_t request_size
         return true;
     reap(process);
     return false;
+}
+
+bool process_take_rest(Process *process, void *reply, size_t size) {
+    size_t taken = 0;
+    if (process->deadline <= 0 || process->replies < 0)
+        return false; // it was never started
+    fcntl(process->replies, F_SETFL, O_NONBLOCK);
+    for (ssize_t n = 1; n > 0 && taken<size; taken += n> 0 ? (size_t)n : 0)
+        n = read(process->replies, (char *)reply + taken, size - taken);
+    return taken == size;
 }
 
 void process_forget_output(Process *process) {

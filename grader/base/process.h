@@ -49,6 +49,10 @@ bool process_start(Process *process, char *const *arguments, char *const *enviro
 bool process_exchange(Process *process, const void *request, size_t request_size, void *reply,
                       size_t reply_size);
 
+// Takes the next `size` bytes that a process which has ended wrote to its replies before; false when there
+// are fewer.
+bool process_take_rest(Process *process, void *reply, size_t size);
+
 // Forgets what it has printed so far.
 void process_forget_output(Process *process);
 

@@ -1,18 +1,24 @@
-// How far the study is: a bar on a terminal, else a line for each scene.
+// Says how far a long run is: a bar on a terminal, else lines.
 #pragma once
 
 #include <stdbool.h>
+#include <stdio.h>
 
 typedef struct ProgressBar {
+    FILE *out;
+    const char *label; // what runs; outlives the bar
     bool terminal;
-    double started; // seconds; when this scene began
-    const char *scene;
-    int done, all; // steps of this scene
-    int began;     // how many were done when it began
-    int shown;     // percent
+    int total, done, failed; // steps; those of an earlier run count, too
+    int earlier;             // done in an earlier run
+    double start;            // seconds, as process_now gives them
 } ProgressBar;
 
-// A scene of `all` steps, of which `done` were done in an earlier run. Writes to stderr.
-void progress_bar_begin(ProgressBar *bar, const char *scene, int done, int all);
-void progress_bar_step(ProgressBar *bar);
-void progress_bar_end(ProgressBar *bar);
+// A run of `total` steps, of which `earlier` were done in an earlier run.
+void progress_bar_begin(ProgressBar *bar, FILE *out, const char *label, int total, int earlier);
+
+// One more step is done. `line` says something about it, or is NULL: a terminal shows it only when the step
+// failed.
+void progress_bar_step(ProgressBar *bar, const char *line, bool failed);
+
+// Removes the bar. Returns the seconds since the beginning.
+double progress_bar_end(const ProgressBar *bar);

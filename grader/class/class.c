@@ -6,9 +6,9 @@
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "class/run_settings.h"
-#include "class/pool.h"
-#include "class/ticker.h"
+#include "base/pool.h"
 #include "class/submission_record.h"
+#include "base/progress_bar.h"
 #include "class/roster.h"
 #include "intake/archive.h"
 #include "class/run_folder.h"
@@ -21,13 +21,13 @@
 enum { TRIES = 2 };
 
 typedef struct Class {
-    Options *options;
+    const ClassSettings *settings;
     Jail jail;
     Roster roster;
     RunSettings plan;
     Session session; // of a process of the pool, once it has graded something
     bool ready;
-    Ticker ticker;
+    ProgressBar bar;
     int not_graded; // of this run
 } Class;
 
@@ -39,10 +39,10 @@ static bool grade_folder(Class *class, const RosterEntry *entry, Report *report)
         return session_grade(&class->session, path, report);
     if (!files_make_temporary(inside))
         return false;
-    Unpacked unpacked = archive_unpack(&class->jail, path, inside);
-    bool ok = unpacked == UNPACK_OK
-                  ? session_grade(&class->session, inside, report)
-                  : unpacked == UNPACK_REFUSED && session_refuse(&class->session, check_message(), report);
+    Extracted unpacked = archive_unpack(&class->jail, path, inside);
+    bool ok = unpacked == EXTRACT_OK ? session_grade(&class->session, inside, report)
+                                     : unpacked == EXTRACT_BAD_ARCHIVE &&
+                                           session_refuse(&class->session, check_message(), report);
     files_remove(inside);
     return ok;
 }
@@ -60,7 +60,7 @@ static bool grade_entry(Class *class, const RosterEntry *entry, Report *report) 
     if (!class->ready)
         class->ready = run_settings_session(&class->plan, &class->jail, &class->session);
     return class->ready && grade_folder(class, entry, report) && is_to_blame(class, report) &&
-           submission_record_write(class->options->output, entry, report);
+           submission_record_write(class->settings->output, entry, report);
 }
 
 static void work(Outcome *outcome, void *context) {
@@ -76,32 +76,34 @@ static void work(Outcome *outcome, void *context) {
 static void finished(const Outcome *outcome, void *context) {
     Class *class = context;
     const RosterEntry *entry = &class->roster.entries[outcome->job];
-    char text[POOL_REASON + 32];
+    char *reason = printable_name(outcome->reason), *line = NULL;
+    int length;
     if (outcome->done) {
-        snprintf(text, sizeof text, "%.2f of %.0f", outcome->score, outcome->maximum);
+        length = asprintf(&line, "%s: %.2f of %.0f", entry->shown, outcome->score, outcome->maximum);
     } else {
-        char *reason = printable_name(outcome->reason);
-        snprintf(text, sizeof text, "not graded: %.*s", POOL_REASON, reason);
-        free(reason);
+        length = asprintf(&line, "%s: not graded: %.*s", entry->shown, POOL_REASON, reason);
         class->not_graded++;
         check_clear();
-        if (!submission_record_write_failure(class->options->output, entry, outcome->reason))
+        if (!submission_record_write_failure(class->settings->output, entry, outcome->reason))
             fprintf(stderr, "grade: %s\n", check_message());
     }
-    ticker_step(&class->ticker, entry->shown, text, !outcome->done);
+    progress_bar_step(&class->bar, length < 0 ? entry->shown : line, !outcome->done);
+    free(reason);
+    if (length >= 0)
+        free(line);
 }
 
 // Writes the numbers of the entries that are to be graded to `jobs`. False with a message.
 static bool choose(const Class *class, int *jobs, int *count) {
-    const Options *options = class->options;
+    const ClassSettings *settings = class->settings;
     *count = 0;
-    for (int i = 0; i < options->only_count; i++) {
-        jobs[*count] = roster_find(&class->roster, options->only[i]);
+    for (int i = 0; i < settings->only_count; i++) {
+        jobs[*count] = roster_find(&class->roster, settings->only[i]);
         if (jobs[(*count)++] < 0)
             return false;
     }
-    for (int i = 0; !options->only && i < class->roster.count; i++) {
-        json_t *record = submission_record_read(options->output, &class->roster.entries[i]);
+    for (int i = 0; !settings->only && i < class->roster.count; i++) {
+        json_t *record = submission_record_read(settings->output, &class->roster.entries[i]);
         if (!submission_record_is_graded(record))
             jobs[(*count)++] = i;
         json_decref(record);
@@ -128,23 +130,23 @@ static int processor_count(void) {
 }
 
 static bool grade_all(Class *class) {
-    const Options *options = class->options;
-    size_t most = (size_t) class->roster.count + (size_t)options->only_count;
+    const ClassSettings *settings = class->settings;
+    size_t most = (size_t) class->roster.count + (size_t)settings->only_count;
     int *jobs = calloc(most, sizeof *jobs), count;
     INVARIANT(jobs);
     bool ok = choose(class, jobs, &count);
     if (ok) {
-        int processes = options->jobs ? options->jobs : processor_count();
+        int processes = settings->jobs ? settings->jobs : processor_count();
         const Pool pool = {.processes = processes < count ? processes : count,
                            .tries = TRIES,
                            .seconds = class->plan.lab_count * (3 * class->plan.seconds + 300),
                            .context = class,
                            .work = work,
                            .finished = finished};
-        int total = options->only ? count : class->roster.count;
-        ticker_begin(&class->ticker, stdout, total, total - count);
+        int total = settings->only ? count : class->roster.count;
+        progress_bar_begin(&class->bar, stdout, "class", total, total - count);
         ok = pool_run(&pool, jobs, count);
-        ticker_end(&class->ticker);
+        progress_bar_end(&class->bar);
     }
     free(jobs);
     return ok;
@@ -163,57 +165,55 @@ static void note_ignored(const Roster *roster) {
 }
 
 static bool grade_in_jail(Class *class) {
-    bool ok = jail_choose(&class->jail, class->options->route, class->options->trusted, "grade",
-                          &class->options->grade.jail) &&
-              grade_all(class);
+    const Jail *chosen;
+    bool ok = jail_choose(&class->jail, class->settings->route, false, "grade", &chosen) && grade_all(class);
     jail_destroy(&class->jail);
     return ok;
 }
 
 // The whole class: alone in OUT, with a workplace.
 static bool grade_rest(Class *class) {
-    const char *output = class->options->output;
+    const char *output = class->settings->output;
     bool ok = run_folder_create(output) && grade_in_jail(class);
     run_folder_destroy(output);
     return ok;
 }
 
 static bool grade_class(Class *class) {
-    const Options *options = class->options;
-    if (!make_folders(options->output) || !run_settings_open(&class->plan, options))
+    const ClassSettings *settings = class->settings;
+    if (!make_folders(settings->output) || !run_settings_open(&class->plan, settings))
         return false;
-    if (options->only)
+    if (settings->only)
         return grade_in_jail(class);
-    return (options->gather || grade_rest(class)) &&
-           grade_tables_write(options->output, &class->roster, &class->plan, &class->not_graded);
+    return (settings->gather || grade_rest(class)) &&
+           grade_tables_write(settings->output, &class->roster, &class->plan, &class->not_graded);
 }
 
 static void say_end(const Class *class) {
-    const char *output = class->options->output;
-    if (!class->options->only)
+    const char *output = class->settings->output;
+    if (!class->settings->only)
         printf("%d submissions, %d not graded: %s/grades.csv, %s/index.html\n", class->roster.count,
                class->not_graded, output, output);
     if (class->not_graded > 0)
         printf("--resume tries again what is not graded\n");
 }
 
-int class_run(Options *options) {
+bool class_run(const ClassSettings *settings) {
     static Class class;
-    class.options = options;
+    class.settings = settings;
     class.plan.lock = -1;
-    int status = EXIT_COULD_NOT;
-    bool ok = roster_read(&class.roster, options->class_folder);
-    if (ok && options->list) {
+    bool ok = roster_read(&class.roster, settings->folder);
+    if (ok && settings->list) {
         print_list(&class.roster);
-        status = EXIT_ALL_PASSED;
     } else if (ok && grade_class(&class)) {
         note_ignored(&class.roster);
         say_end(&class);
-        status = class.not_graded > 0 ? EXIT_COULD_NOT : EXIT_ALL_PASSED;
+        ok = class.not_graded == 0;
     } else {
         fprintf(stderr, "grade: %s\n", check_message());
+        ok = false;
     }
     run_settings_close(&class.plan);
     roster_destroy(&class.roster);
-    return status;
+    return ok;
 }

@@ -2,7 +2,8 @@
 // any moment and taken up again. See grader/README.md.
 #pragma once
 
-#include "class/grade_options.h"
+#include "class/class_settings.h"
 
-// Does what the options of --class ask for; returns the exit status of the program.
-int class_run(Options *options);
+// Grades, and writes what it finds to settings->output. False when something is not graded; what and why is
+// on standard error or in the table.
+bool class_run(const ClassSettings *settings);

@@ -9,21 +9,6 @@
 
 enum { BINS = 10, MAX_CAUSES = 512, SHOWN_CAUSES = 15 };
 
-static void cell(Page *page, const char *text) {
-    fputs("<td>", page->out);
-    page_text(page, text);
-    fputs("</td>", page->out);
-}
-
-// Begins a table that can be scrolled by itself on a narrow screen. `label` says what it holds.
-static void begin_table(Page *page, const char *label) {
-    fprintf(page->out, "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"%s\"><table>", label);
-}
-
-static void end_table(Page *page) {
-    fputs("</tbody></table></div>\n", page->out);
-}
-
 // A bar beside its number; `most` is as long as a bar gets.
 static void bar_cell(Page *page, int value, int most) {
     fprintf(page->out, "<td class=\"number\">%d</td><td aria-hidden=\"true\">", value);
@@ -38,11 +23,7 @@ static void write_bins(Page *page, const char *lab, const int *bins) {
     for (int b = 0; b <= BINS; b++)
         most = bins[b] > most ? bins[b] : most;
     snprintf(label, sizeof label, "Distribution of lab %s", lab);
-    begin_table(page, label);
-    fputs("<thead><tr><th scope=\"col\">% of the points</th><th scope=\"col\" "
-          "class=\"number\">submissions</th><td>"
-          "</td></tr></thead><tbody>\n",
-          page->out);
+    page_begin_table(page, label, (const char *const[]){"% of the points", "#submissions", "", NULL});
     for (int b = 0; b <= BINS; b++) {
         if (b < BINS)
             fprintf(page->out, "<tr><th scope=\"row\">%d to below %d</th>", 100 * b / BINS,
@@ -52,7 +33,7 @@ static void write_bins(Page *page, const char *lab, const int *bins) {
         bar_cell(page, bins[b], most);
         fputs("</tr>\n", page->out);
     }
-    end_table(page);
+    page_end_table(page);
 }
 
 static void write_distribution(Page *page, const Table *table, int n) {
@@ -82,8 +63,7 @@ static void write_distribution(Page *page, const Table *table, int n) {
 }
 
 typedef struct Cause {
-    const char *lab, *task, *name;
-    size_t length;         // of the name that counts
+    const char *lab, *task, *kind;
     int submissions, last; // last: the entry that was counted last
 } Cause;
 
@@ -93,17 +73,16 @@ typedef struct Causes {
 } Causes;
 
 static bool same_cause(const Cause *a, const Cause *b) {
-    return a->length == b->length && strncmp(a->name, b->name, a->length) == 0 && strcmp(a->lab, b->lab) == 0;
+    return strcmp(a->kind, b->kind) == 0 && strcmp(a->lab, b->lab) == 0;
 }
 
-// What stands behind a semicolon are the numbers of one picture (error_kind).
 static void count_cause(Causes *causes, const char *lab, const json_t *check, int entry) {
-    const char *name = table_text(json_object_get(check, "cause"), "mistake");
-    const Cause cause = {lab, table_text(check, "task"), name, strcspn(name, ";"), 0, -1};
+    const Cause cause = {lab, table_text(check, "task"), table_text(json_object_get(check, "cause"), "kind"),
+                         0, -1};
     int i = 0;
     while (i < causes->count && !same_cause(&causes->list[i], &cause))
         i++;
-    if (!name[0] || i == MAX_CAUSES)
+    if (!cause.kind[0] || i == MAX_CAUSES)
         return;
     if (i == causes->count)
         causes->list[causes->count++] = cause;
@@ -116,7 +95,7 @@ static int by_frequency(const void *a, const void *b) {
     if (x->submissions != y->submissions)
         return y->submissions - x->submissions;
     int lab = strcmp(x->lab, y->lab);
-    return lab ? lab : strcmp(x->name, y->name);
+    return lab ? lab : strcmp(x->kind, y->kind);
 }
 
 static void count_causes(Causes *causes, const Table *table) {
@@ -132,27 +111,23 @@ static void count_causes(Causes *causes, const Table *table) {
 
 static void write_causes(Page *page, const Table *table) {
     static Causes causes;
-    char name[256];
     count_causes(&causes, table);
     fputs("<h2>The commonest mistakes</h2>\n", page->out);
     if (causes.count == 0) {
         fputs("<p>None.</p>\n", page->out);
         return;
     }
-    begin_table(page, "The commonest mistakes");
-    fputs("<thead><tr><th scope=\"col\">lab</th><th scope=\"col\">task</th><th scope=\"col\">mistake</th><th "
-          "scope=\"col\" class=\"number\">submissions</th><td></td></tr></thead><tbody>\n",
-          page->out);
+    page_begin_table(page, "The commonest mistakes",
+                     (const char *const[]){"lab", "task", "mistake", "#submissions", "", NULL});
     for (int i = 0; i < causes.count && i < SHOWN_CAUSES; i++) {
         fputs("<tr>", page->out);
-        cell(page, causes.list[i].lab);
-        cell(page, causes.list[i].task);
-        snprintf(name, sizeof name, "%.*s", (int)causes.list[i].length, causes.list[i].name);
-        cell(page, name);
+        page_cell(page, causes.list[i].lab);
+        page_cell(page, causes.list[i].task);
+        page_cell(page, causes.list[i].kind);
         bar_cell(page, causes.list[i].submissions, causes.list[0].submissions);
         fputs("</tr>\n", page->out);
     }
-    end_table(page);
+    page_end_table(page);
 }
 
 static void write_link(Page *page, const Table *table, int i) {
@@ -173,9 +148,9 @@ static void look_row(Page *page, const Table *table, int i, const char *lab, con
     fputs("<tr><td class=\"name\">", page->out);
     write_link(page, table, i);
     fputs("</td>", page->out);
-    cell(page, lab);
-    cell(page, what);
-    cell(page, first);
+    page_cell(page, lab);
+    page_cell(page, what);
+    page_cell(page, first);
     fputs("</tr>\n", page->out);
 }
 
@@ -194,11 +169,8 @@ static void write_look_table(Page *page, const Table *table) {
         fputs("<p>Nobody.</p>\n", page->out);
         return;
     }
-    begin_table(page, "Who needs a look");
-    fputs("<thead><tr><th scope=\"col\">submission</th><th scope=\"col\">lab</th><th "
-          "scope=\"col\">status</th><th "
-          "scope=\"col\">message</th></tr></thead><tbody>\n",
-          page->out);
+    page_begin_table(page, "Who needs a look",
+                     (const char *const[]){"submission", "lab", "status", "message", NULL});
     for (int i = 0; i < table->roster->count; i++) {
         if (!table_is_graded(table, i))
             look_row(page, table, i, "all", "not graded", table_reason(table, i));
@@ -209,7 +181,7 @@ static void write_look_table(Page *page, const Table *table) {
                          table_text(lab, "message"));
         }
     }
-    end_table(page);
+    page_end_table(page);
 }
 
 static void write_looks(Page *page, const Table *table) {
@@ -249,8 +221,10 @@ static void write_row(Page *page, const Table *table, int i) {
 
 static void write_all(Page *page, const Table *table) {
     fputs("<h2>All submissions</h2>\n", page->out);
-    begin_table(page, "All submissions");
-    fputs("<thead><tr><th scope=\"col\" aria-sort=\"ascending\"><button>submission</button></th>", page->out);
+    fputs("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"All "
+          "submissions\"><table><thead><tr><th scope=\"col\" "
+          "aria-sort=\"ascending\"><button>submission</button></th>",
+          page->out);
     for (int n = 0; n < table->plan->lab_count; n++)
         fprintf(page->out, "<th scope=\"col\" class=\"number\"><button>lab %s</button></th>",
                 table->plan->labs[n]);
@@ -260,7 +234,7 @@ static void write_all(Page *page, const Table *table) {
           page->out);
     for (int i = 0; i < table->roster->count; i++)
         write_row(page, table, i);
-    end_table(page);
+    page_end_table(page);
 }
 
 char *index_page(const Table *table) {

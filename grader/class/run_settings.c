@@ -19,18 +19,18 @@ enum { LOCK_TRIES = 100, LOCK_PAUSE = 100 * 1000 }; // microseconds
 
 static void add_lab(const char *id, void *context) {
     RunSettings *plan = context;
-    if (plan->lab_count < RESULT_MAX_LABS)
+    if (plan->lab_count == COURSE_MAX_LABS)
+        check_fail("there are more than %d labs", COURSE_MAX_LABS);
+    else
         memcpy(plan->labs[plan->lab_count++], id, sizeof plan->labs[0]);
 }
 
-static bool from_options(RunSettings *plan, const Options *options) {
-    *plan = (RunSettings){.seed = options->grade.seed,
-                          .context = options->grade.context,
-                          .seconds = options->grade.seconds,
-                          .lock = -1};
-    for (int i = 0; i < options->lab_count; i++)
-        add_lab(options->labs[i], plan);
-    return options->lab_count > 0 || places_list_labs(add_lab, plan);
+static bool from_settings(RunSettings *plan, const ClassSettings *settings) {
+    *plan = (RunSettings){
+        .seed = settings->seed, .context = settings->context, .seconds = settings->seconds, .lock = -1};
+    for (int i = 0; i < settings->labs.count; i++)
+        add_lab(settings->labs.ids[i], plan);
+    return settings->labs.count > 0 || (places_list_labs(add_lab, plan) && !check_message()[0]);
 }
 
 static char *to_text(const RunSettings *plan) {
@@ -65,26 +65,26 @@ static bool from_file(RunSettings *plan, const char *path) {
     return (ok && plan->lab_count > 0) || check_fail("%s is not what build/grade wrote there", path);
 }
 
-static bool same_labs(const RunSettings *plan, const Options *options) {
-    for (int i = 0; i < options->lab_count; i++)
-        if (i >= plan->lab_count || strcmp(plan->labs[i], options->labs[i]) != 0)
+static bool same_labs(const RunSettings *plan, const ClassSettings *settings) {
+    for (int i = 0; i < settings->labs.count; i++)
+        if (i >= plan->lab_count || strcmp(plan->labs[i], settings->labs.ids[i]) != 0)
             return false;
-    return options->lab_count == 0 || options->lab_count == plan->lab_count;
+    return settings->labs.count == 0 || settings->labs.count == plan->lab_count;
 }
 
-// May these options go on with the plan that is there?
-static bool agrees(const RunSettings *plan, const Options *options) {
-    if (!options->resume && !options->only && !options->gather)
+// May these settings go on with the plan that is there?
+static bool agrees(const RunSettings *plan, const ClassSettings *settings) {
+    if (!settings->resume && !settings->only && !settings->gather)
         return check_fail("%s holds a class run already: go on with it by --resume, or take another folder",
-                          options->output);
-    if (options->seeded && options->grade.seed != plan->seed)
+                          settings->output);
+    if (settings->seeded && settings->seed != plan->seed)
         return check_fail("%s was begun with --seed %llu: for another seed take another folder",
-                          options->output, (unsigned long long)plan->seed);
-    if (options->timed && options->grade.seconds != plan->seconds)
+                          settings->output, (unsigned long long)plan->seed);
+    if (settings->timed && settings->seconds != plan->seconds)
         return check_fail("%s was begun with --timeout %g: for another one take another folder",
-                          options->output, plan->seconds);
-    return same_labs(plan, options) ||
-           check_fail("%s was begun with other labs: take another folder for these", options->output);
+                          settings->output, plan->seconds);
+    return same_labs(plan, settings) ||
+           check_fail("%s was begun with other labs: take another folder for these", settings->output);
 }
 
 static bool take_lock(RunSettings *plan, const char *path, bool alone) {
@@ -99,22 +99,22 @@ static bool take_lock(RunSettings *plan, const char *path, bool alone) {
     return check_fail("another run is at work in this folder (%s is locked)", path);
 }
 
-bool run_settings_open(RunSettings *plan, const Options *options) {
+bool run_settings_open(RunSettings *plan, const ClassSettings *settings) {
     char path[FILES_PATH];
-    files_join(path, options->output, "class.json");
+    files_join(path, settings->output, "class.json");
     *plan = (RunSettings){.lock = -1};
     if (!files_exists(path)) {
-        if (options->gather)
-            return check_fail("%s holds no class run", options->output);
-        char *text = from_options(plan, options) ? to_text(plan) : NULL;
+        if (settings->gather)
+            return check_fail("%s holds no class run", settings->output);
+        char *text = from_settings(plan, settings) ? to_text(plan) : NULL;
         bool made = text && files_write_whole(path, text, false);
         free(text);
         if (!made)
             return false;
-    } else if (!from_file(plan, path) || !agrees(plan, options)) {
+    } else if (!from_file(plan, path) || !agrees(plan, settings)) {
         return false;
     }
-    return from_file(plan, path) && (options->gather || take_lock(plan, path, !options->only));
+    return from_file(plan, path) && (settings->gather || take_lock(plan, path, !settings->only));
 }
 
 void run_settings_close(RunSettings *plan) {

@@ -1,7 +1,8 @@
 // What a class run grades by, fixed when it begins: OUT/class.json.
 #pragma once
 
-#include "class/grade_options.h"
+#include "class/class_settings.h"
+#include "grade/session.h"
 
 #include <stdbool.h>
 
@@ -10,15 +11,15 @@ typedef struct RunSettings {
     ContextKind context;
     double seconds;
     int lab_count; // never 0
-    char labs[RESULT_MAX_LABS][3];
+    char labs[COURSE_MAX_LABS][3];
     int lock; // descriptor of class.json, which holds the lock; -1: none
 } RunSettings;
 
-// Reads OUT/class.json, or makes it of the options when it is not there yet; of several that begin at once,
+// Reads OUT/class.json, or makes it of the settings when it is not there yet; of several that begin at once,
 // all get the same. Takes a lock on OUT: a run of the whole class must be alone, runs with --only may be
-// many. False with a message: another run is at work, a run is there already, or the options want something
+// many. False with a message: another run is at work, a run is there already, or the settings want something
 // else than it.
-bool run_settings_open(RunSettings *plan, const Options *options);
+bool run_settings_open(RunSettings *plan, const ClassSettings *settings);
 void run_settings_close(RunSettings *plan);
 
 // Makes a session of the plan's labs, in this jail. False with a message.

@@ -2,6 +2,7 @@
 
 #include "scene/check.h"
 #include "base/files.h"
+#include "compile/given.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,15 +39,30 @@ static bool run_gcc(Process *process, const char *folder, const char *out, const
     jail_part(jail, "include", packages);
     snprintf(flags, sizeof flags, "@%s/lab.flags", common);
     snprintf(scene, sizeof scene, "%s/scene", common);
-    char *arguments[] = {"gcc",     flags,
-                         "-Wall",   "-Wextra",
-                         "-shared", "-I",
-                         common,    "-I",
-                         scene,     "-isystem",
-                         packages,  "-include",
-                         "given.h", "-fmax-errors=20",
-                         "-o",      out ? "out/lab.so" : "lab.so",
-                         "./lab.c", "-lm",
+    // What later labs are given is told by files in given/, which come first.
+    char *arguments[] = {"gcc",
+                         flags,
+                         "-Wall",
+                         "-Wextra",
+                         "-shared",
+                         "-Igiven",
+                         "-I",
+                         common,
+                         "-I",
+                         scene,
+                         "-isystem",
+                         packages,
+                         "-include",
+                         "given.h",
+                         "-include",
+                         "earlier.h",
+                         "-fmax-errors=20",
+                         "-Wl,-rpath,$ORIGIN/given",
+                         "-o",
+                         out ? "out/lab.so" : "lab.so",
+                         "./lab.c",
+                         "given/given.so",
+                         "-lm",
                          NULL};
     return run_tool(process, arguments, folder, out, jail);
 }
@@ -62,7 +78,7 @@ bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG])
     static _Thread_local Process process;
     char out[FILES_PATH];
     files_join(out, folder, "out");
-    if (jail && !files_make_folder(out))
+    if (!given_place(folder, "all", jail) || (jail && !files_make_folder(out)))
         return false;
     bool ok = run_gcc(&process, folder, jail ? out : NULL, jail);
     snprintf(log, COMPILE_LOG, "%.*s", COMPILE_LOG - 1, process.text);
@@ -76,24 +92,13 @@ bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG])
     return ok;
 }
 
-static bool locate_one(const char *folder, const Jail *jail, const char *offset, char *place, size_t size) {
+bool compiler_locate(const char *folder, const Jail *jail, uint64_t offset, char place[COMPILE_PLACE]) {
     static _Thread_local Process process;
-    char *arguments[] = {"addr2line", "-s", "-e", "lab.so", (char *)offset, NULL};
+    char number[32];
+    snprintf(number, sizeof number, "0x%llx", (unsigned long long)offset);
+    char *arguments[] = {"addr2line", "-s", "-e", "lab.so", number, NULL};
     if (!run_tool(&process, arguments, folder, NULL, jail) || process.text[0] == '?')
         return false;
-    snprintf(place, size, "%.*s", (int)strcspn(process.text, " \n"), process.text);
+    snprintf(place, COMPILE_PLACE, "%.*s", (int)strcspn(process.text, " \n"), process.text);
     return true;
-}
-
-void compiler_locate(const char *folder, const Jail *jail, char *text, size_t size) {
-    char *mark = strstr(text, " @0x");
-    char *end = mark ? strchr(mark + 2, '@') : NULL;
-    if (!end)
-        return;
-    char offset[32], place[128] = "", rest[1024];
-    snprintf(offset, sizeof offset, "%.*s", (int)(end - mark - 2), mark + 2);
-    snprintf(rest, sizeof rest, "%s", end + 1);
-    bool found = locate_one(folder, jail, offset, place, sizeof place);
-    *mark = '\0';
-    check_append(text, size, "%s%s%s%s", found ? " (" : "", place, found ? ")" : "", rest);
 }

@@ -1,6 +1,7 @@
 #include "compile/lab_folder.h"
 
 #include "scene/check.h"
+#include "compile/given.h"
 #include "base/hash.h"
 #include "base/places.h"
 
@@ -27,15 +28,26 @@ static bool replace_text(char **text, char *changed) {
     return changed != NULL;
 }
 
+// False with a message that names the mistake and the edit.
+static bool apply_edit(char **text, const Rubric *rubric, const Change *change, int e) {
+    char reason[1024];
+    check_clear();
+    if (replace_text(text, task_blocks_edit(*text, &change->edits[e])))
+        return true;
+    snprintf(reason, sizeof reason, "%s", check_message());
+    check_clear();
+    const JsonPlace outer = rubric_change_place(rubric, change);
+    const JsonPlace place = json_fields_enter(&outer, "edits", (size_t)e, NULL);
+    return json_fields_fail(&place, "find", "%s", reason);
+}
+
 static bool apply_edits(Texts *texts, const Rubric *rubric, const Change *change) {
     for (int e = 0; change && e < change->edit_count; e++) {
         int i = 0;
         while (i < rubric->file_count && strcmp(rubric->files[i], change->edits[e].file) != 0)
             i++;
-        if (i == rubric->file_count)
-            return check_fail("\"%s\" edits %s, which rubric.json does not list", change->name,
-                              change->edits[e].file);
-        if (!replace_text(&texts->of[i], task_blocks_edit(texts->of[i], &change->edits[e])))
+        INVARIANT(i < rubric->file_count); // rubric_load has looked
+        if (!apply_edit(&texts->of[i], rubric, change, e))
             return false;
     }
     return true;
@@ -51,6 +63,14 @@ static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
             return false;
     }
     return true;
+}
+
+bool lab_folder_can_change(const Rubric *rubric, const Change *change) {
+    Texts texts = {0};
+    const bool ok =
+        read_ours(&texts, rubric, (Solved){SOLVED_ALL, NULL}) && apply_edits(&texts, rubric, change);
+    free_texts(&texts);
+    return ok;
 }
 
 // The worker stands for common/: it is linked again when a header or a function there changes.
@@ -80,7 +100,8 @@ static bool write_texts(const char *folder, const Rubric *rubric, const Texts *t
 static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts *texts) {
     char aside[FILES_PATH], log[COMPILE_LOG];
     snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
-    if (!files_make_folder(aside) || !write_texts(aside, rubric, texts))
+    if (!files_make_folder(aside) || !write_texts(aside, rubric, texts) ||
+        !given_place(aside, rubric->id, NULL))
         return false;
     if (!compiler_build(aside, NULL, log)) {
         files_remove(aside);
@@ -130,7 +151,7 @@ bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rub
         ok = texts.of[i] && replace_text(&texts.of[i], task_blocks_select(rubric->files[i], texts.of[i],
                                                                           (Solved){SOLVED_ALL, NULL}, true));
     }
-    ok = ok && write_texts(folder, rubric, &texts) &&
+    ok = ok && write_texts(folder, rubric, &texts) && given_place(folder, rubric->id, jail) &&
          ((earlier && take_library(folder, earlier)) || compiler_build(folder, jail, log));
     free_texts(&texts);
     return ok;

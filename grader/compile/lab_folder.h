@@ -12,6 +12,10 @@
 // False with a message.
 bool lab_folder_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solved, const Change *change);
 
+// Does each edit of a mistake or an alternative find its text in the solution, exactly once? False with a
+// message.
+bool lab_folder_can_change(const Rubric *rubric, const Change *change);
+
 // From a submission: copies only the files that the rubric names to the new folder `folder` and compiles
 // them in the jail (NULL: the grader's own user trusts it). `log` gets gcc's words. False with a message that
 // names the file that is missing, unusual or wrong.

@@ -1,19 +1,13 @@
 // What a lab is graded by: solutions/NN-name/rubric.json, mistakes.json, alternatives.json and hints.json,
-// read once.
+// read once (rubric_file.h).
 #pragma once
 
+#include "base/json_fields.h"
+#include "base/limits.h"
 #include "compile/task_blocks.h"
+#include "lab.h"
 
 #include <stdbool.h>
-
-enum {
-    RUBRIC_MAX_CHECKS = 16,
-    RUBRIC_MAX_FILES = 8,
-    RUBRIC_MAX_KNOBS = 6,
-    RUBRIC_MAX_EDITS = 6,
-    RUBRIC_MAX_CHOICES = 6,
-    RUBRIC_MAX_ALSO = 4
-};
 
 // What a knob is set to. Choices are walked through from variant to variant, from a place that the seed draws
 // for the whole check: the lists of one check walk together, so the i-th choices of all belong together.
@@ -34,16 +28,16 @@ typedef struct Check {
     const char *scene; // a name in common/scene/scenes.c, the first of `scenes`
     int points, variants;
     bool optional; // who leaves it untouched passes without it
-    KnobChoice knobs[RUBRIC_MAX_KNOBS];
+    KnobChoice knobs[LAB_MAX_KNOBS];
     int knob_count;
     const char *scenes[RUBRIC_MAX_CHOICES]; // walked through as the knobs' choices are
     int scene_count;                        // at least 1 in a rubric that was read
-    bool large;                             // its frames are larger than any screen of old, see exam/draw.h
+    bool large;                             // its frames are larger than 640 x 480, see exam/draw.h
 } Check;
 
 // The solution changed in a few places: a mistake (with its task and a hint) or another correct way.
 typedef struct Change {
-    const char *name, *task, *hint;
+    const char *name, *task, *hint; // an alternative has no task and no hint
     Edit edits[RUBRIC_MAX_EDITS];
     int edit_count;
 } Change;
@@ -70,12 +64,14 @@ typedef struct Rubric {
     int also_count;
     Hint *hints;
     int hint_count;
-    struct RubricJson *json; // where the strings live
+    json_t *json; // where the strings live
 } Rubric;
 
-// Reads the files in `folder`. The message names file and entry of what is wrong.
-bool rubric_load(Rubric *rubric, const char *folder);
 void rubric_destroy(Rubric *rubric); // accepts a zeroed rubric
+
+// Where a check, or a mistake or alternative of this rubric stands in its file, for messages.
+JsonPlace rubric_check_place(const Rubric *rubric, const Check *check);
+JsonPlace rubric_change_place(const Rubric *rubric, const Change *change);
 
 // Sum of the points of all checks.
 int rubric_points(const Rubric *rubric);

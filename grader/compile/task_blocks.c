@@ -107,7 +107,7 @@ char *task_blocks_select(const char *name, const char *text, Solved solved, bool
 char *task_blocks_edit(const char *text, const Edit *edit) {
     const char *at = strstr(text, edit->find);
     if (!at || strstr(at + 1, edit->find)) {
-        check_fail("%s: the text to replace stands there %s: %s", edit->file,
+        check_fail("the text to replace stands in %s %s; copy a longer piece from there: %.200s", edit->file,
                    at ? "more than once" : "nowhere", edit->find);
         return NULL;
     }

@@ -21,8 +21,9 @@ typedef struct Distances {
     double to_mistake[EXAM_MAX_MISTAKES];
 } Distances;
 
-static void name_cause(CheckResult *check, const char *mistake, const char *hint) {
+static void name_cause(CheckResult *check, const char *mistake, const char *kind, const char *hint) {
     check->has_cause = true;
+    snprintf(check->kind, sizeof check->kind, "%s", kind);
     snprintf(check->mistake, sizeof check->mistake, "%s", mistake);
     snprintf(check->hint, sizeof check->hint, "%s", hint ? hint : "");
 }
@@ -145,20 +146,21 @@ static void name_open(CheckResult *check, Open open, const Rubric *rubric) {
     else
         snprintf(text, sizeof text, "tasks %s to %s show only together, and one of them is not done", task,
                  rubric_task(rubric, open.last));
-    name_cause(check, text, rubric_hint(rubric, task, 0));
+    name_cause(check, text, text, rubric_hint(rubric, task, 0));
     check->undone = true;
     check->cause_task = task;
 }
 
 static void name_kind(CheckResult *check, int c, Exam *exam) {
     char text[256];
+    const char *kind = text;
     const char *task = next_task(check, c, exam);
     if (task)
         snprintf(text, sizeof text, "task %s or one after it is not done", task);
     else
-        error_kind(text, sizeof text, &check->yours[check->worst],
-                   &exam->variants[c][check->worst].reference);
-    name_cause(check, text, rubric_hint(exam->rubric, task ? task : check->check->task, 0));
+        kind = error_kind(text, sizeof text, &check->yours[check->worst],
+                          &exam->variants[c][check->worst].reference);
+    name_cause(check, text, kind, rubric_hint(exam->rubric, task ? task : check->check->task, 0));
     check->undone = task != NULL;
     check->cause_task = task;
 }
@@ -171,7 +173,7 @@ static void name_size(CheckResult *check, const Variant *variant) {
     snprintf(text, sizeof text, "the texture \"%s\" is %d x %d, and here it has to be %d x %d",
              check->check->view, yours->stage_width, yours->stage_height, ours->stage_width,
              ours->stage_height);
-    name_cause(check, text,
+    name_cause(check, text, "a texture of another size",
                as_frame ? "It has to be as large as the picture, whatever size that has: frame->width and "
                           "frame->height."
                         : "The size is not always the same. Where does create take it from, and does every "
@@ -179,7 +181,8 @@ static void name_size(CheckResult *check, const Variant *variant) {
 }
 
 static void name_refusal(CheckResult *check) {
-    name_cause(check, "the picture is right here, but OpenGL refused a call",
+    static const char text[] = "the picture is right here, but OpenGL refused a call";
+    name_cause(check, text, text,
                "A refused call changes nothing; some drivers do half of it all the same, and others draw "
                "another picture. The note says which call it was, and where.");
 }
@@ -193,10 +196,10 @@ static void explain(CheckResult *check, int c, const Distances *distances, int c
         bool alone = touch == TOUCH_TASK_MISSING;
         snprintf(text, sizeof text, "task %s%s is not done", check->check->task,
                  alone ? "" : " or one before it");
-        name_cause(check, text, rubric_hint(rubric, check->check->task, 0));
+        name_cause(check, text, text, rubric_hint(rubric, check->check->task, 0));
         check->undone = true;
     } else if (own >= 0 && (common >= 0 || !error_kind_is_plain(&check->yours[check->worst]))) {
-        name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].hint);
+        name_cause(check, rubric->mistakes[own].name, rubric->mistakes[own].name, rubric->mistakes[own].hint);
         check->cause_task = rubric->mistakes[own].task;
     } else if (check->wrong_size) {
         name_size(check, &exam->variants[c][check->worst]);

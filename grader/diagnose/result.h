@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { RESULT_TEXT = 8000, RESULT_MAX_LABS = 16 };
+enum { RESULT_TEXT = 8000 };
 
 // Pictures of the worst variant of a failed check; the last is an enlarged crop of the others side by side.
 enum { EVIDENCE_YOURS, EVIDENCE_REFERENCE, EVIDENCE_DIFFERENCE, EVIDENCE_CROP, EVIDENCE_PARTS };
@@ -25,6 +25,7 @@ typedef struct CheckResult {
     bool undone;            // the cause: a task is not done yet, rather than done wrong
     const char *cause_task; // where to look; NULL when it is the check's own task
     char mistake[256], hint[1500];
+    char kind[256]; // the mistake without the numbers of these pictures: the same for all who made it
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
     Image evidence[EVIDENCE_PARTS]; // owned; empty when the check passed or nobody asked for it
     Difference difference;          // the evidence's
@@ -51,7 +52,7 @@ typedef struct Report {
     char renderer[128];
     double seconds;
     int lab_count;
-    LabResult *labs; // RESULT_MAX_LABS, owned
+    LabResult *labs; // COURSE_MAX_LABS, owned
 } Report;
 
 // Does a stage have another size than that of ours? A lab without the stage has none, which its picture

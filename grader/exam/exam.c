@@ -82,12 +82,22 @@ static bool create_check(Exam *exam, int c, const Trio *trio) {
     return ok;
 }
 
+// They grow, and no variant comes after the last that exam_create draws.
+static bool are_tries(const int *tries, int count) {
+    for (int n = 0; n < count; n++)
+        if (tries[n] < 0 || tries[n] >= MAX_TRIES || (n > 0 && tries[n] <= tries[n - 1]))
+            return false;
+    return true;
+}
+
 bool exam_restore(Exam *exam, const Rubric *rubric, uint64_t seed,
                   int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]) {
     memset(exam, 0, sizeof *exam);
     exam->rubric = rubric;
     exam->seed = seed;
     for (int c = 0; c < rubric->check_count; c++) {
+        if (!are_tries(tries[c], rubric->checks[c].variants))
+            return false;
         Draw draw = draw_begin_check(rubric, seed, c);
         int drawn = 0;
         for (int n = 0; n < rubric->checks[c].variants; n++) {
@@ -106,6 +116,8 @@ bool exam_create(Exam *exam, const Rubric *rubric, Painters *painters, uint64_t 
     exam->rubric = rubric;
     exam->painters = painters;
     exam->seed = seed;
+    if (!painters_fit(painters))
+        return false;
     for (int c = 0; c < rubric->check_count; c++) {
         Trio trio = {painters, painters_get(painters, (Solved){SOLVED_ALL, NULL}, NULL),
                      painters_get(painters, (Solved){SOLVED_NONE, NULL}, NULL),

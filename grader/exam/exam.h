@@ -7,8 +7,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { EXAM_MAX_VARIANTS = 8, EXAM_MAX_MISTAKES = 40, EXAM_MAX_TASKS = 20 };
-
 typedef struct Variant {
     const char *scene; // its name; the rubric's
     Request request;

@@ -13,7 +13,7 @@
 // A check's frames lie one below the other in one PNG: of each variant the reference, and then what differs
 // from it, as the exclusive or with the reference, which is mostly 0. Other frames refer to theirs by its
 // distance from the reference, 0 for the reference itself.
-enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + 3 };
+enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + 3, MAX_SEEDS = 10000 };
 
 bool exam_file_only(void) {
     char solutions[FILES_PATH], recorded[FILES_PATH];
@@ -22,20 +22,31 @@ bool exam_file_only(void) {
     return !files_exists(solutions) && files_exists(recorded);
 }
 
+static bool take_seed(const JsonPlace *file, const json_t *seeds, size_t i, uint64_t *seed) {
+    const char *text = json_string_value(json_array_get(seeds, i));
+    const size_t length = text ? strlen(text) : 0;
+    if (length == 0 || length > 20 || strspn(text, "0123456789") != length) {
+        const JsonPlace place = json_fields_enter(file, "", i, NULL);
+        return json_fields_fail(&place, "", "is no seed; write a whole number of 64 bits as a text");
+    }
+    *seed = strtoull(text, NULL, 10);
+    return true;
+}
+
 bool exam_file_draw_seed(uint64_t *seed) {
     char path[FILES_PATH];
     ssize_t drawn = getrandom(seed, sizeof *seed, 0);
     INVARIANT(drawn == sizeof *seed);
     if (!exam_file_only())
         return true;
-    places_path(path, "grader/recorded/seeds.json");
-    json_t *seeds = json_load_file(path, 0, NULL);
-    size_t count = json_array_size(seeds);
-    const char *text = count ? json_string_value(json_array_get(seeds, *seed % count)) : NULL;
-    if (text)
-        *seed = strtoull(text, NULL, 10);
+    places_path(path, "grader/recorded");
+    const JsonPlace file = {.folder = path, .file = "seeds.json"};
+    json_t *seeds = json_fields_read(&file, NULL, 0, JSON_ARRAY);
+    bool ok =
+        seeds && json_fields_fits(&file, seeds, &(JsonField){"", FIELD_LIST, FIELD_NEEDED, 1, MAX_SEEDS});
+    ok = ok && take_seed(&file, seeds, (size_t)(*seed % json_array_size(seeds)), seed);
     json_decref(seeds);
-    return text || check_fail("%s cannot be read", path);
+    return ok;
 }
 
 bool exam_file_is_handed_out(const Rubric *rubric, const char *name) {
@@ -188,7 +199,8 @@ typedef struct Cutting {
 } Cutting;
 
 static bool cut_late(LatePicture *late, const Cutting *cutting, json_t *list, int i) {
-    int distance = (int)json_integer_value(json_array_get(list, (size_t)i));
+    const json_t *entry = json_array_get(list, (size_t)i);
+    int distance = json_is_integer(entry) ? (int)json_integer_value(entry) : -1;
     late->known = distance >= 0;
     return distance <= 0 || cut(&late->image, cutting->strip, cutting->request, cutting->base, distance);
 }

@@ -1,6 +1,7 @@
 #include "exam/lab_exam.h"
 
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "base/places.h"
 #include "exam/exam_file.h"
 

@@ -2,6 +2,7 @@
 
 #include "scene/check.h"
 #include "compile/lab_folder.h"
+#include "compile/rubric_fit.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,7 +24,7 @@ const Painter *painters_get(Painters *painters, Solved solved, const Change *cha
     for (int i = 0; i < painters->count; i++)
         if (same_task(painters->painters[i]->solved, solved) && painters->painters[i]->change == change)
             return painters->painters[i];
-    INVARIANT(painters->count < ROSTER_MAX);
+    INVARIANT(painters->count < EXAM_MAX_PAINTERS);
     Painter *painter = calloc(1, sizeof *painter);
     INVARIANT(painter);
     *painter = (Painter){.solved = solved, .change = change};
@@ -43,6 +44,23 @@ bool painters_draw(Painters *painters, const Painter *painter, const Request *re
     DrawResult result = worker_client_draw(&painters->client, &named, image, reply);
     return result == DRAW_OK || result == DRAW_FAILED ||
            check_fail("our own lab in %s could not draw: %s", painter->folder, reply->message);
+}
+
+bool painters_fit(Painters *painters) {
+    static Request request;
+    static Reply reply;
+    static Description lab;
+    if (!rubric_fit_sources(painters->rubric))
+        return false;
+    const Painter *solution = painters_get(painters, (Solved){SOLVED_ALL, NULL}, NULL);
+    if (!solution)
+        return false;
+    request = (Request){.magic = PROTOCOL_MAGIC};
+    INVARIANT(snprintf(request.folder, sizeof request.folder, "%s", solution->folder) <
+              (int)sizeof request.folder);
+    if (worker_client_describe(&painters->client, &request, &lab, &reply) != DRAW_OK)
+        return check_fail("our own lab in %s does not say what it is: %s", solution->folder, reply.message);
+    return rubric_fit_lab(painters->rubric, &lab);
 }
 
 void painters_destroy(Painters *painters) {

@@ -2,12 +2,11 @@
 // one mistake. Each is built when it is first asked for; all of them draw in one worker process.
 #pragma once
 
+#include "base/limits.h"
 #include "exam/worker_client.h"
 #include "compile/rubric.h"
 
 #include <stdbool.h>
-
-enum { ROSTER_MAX = 96 };
 
 typedef struct Painter {
     Solved solved;
@@ -19,7 +18,7 @@ typedef struct Painters {
     const Rubric *rubric;
     ContextKind context;
     WorkerClient client; // the worker
-    Painter *painters[ROSTER_MAX];
+    Painter *painters[EXAM_MAX_PAINTERS];
     int count;
 } Painters;
 
@@ -31,5 +30,8 @@ const Painter *painters_get(Painters *painters, Solved solved, const Change *cha
 // it drew nothing counts as black.
 bool painters_draw(Painters *painters, const Painter *painter, const Request *request, Image *image,
                    Reply *reply);
+
+// Does the rubric fit the lab and its sources (rubric_fit.h)? Asks the solution. False with a message.
+bool painters_fit(Painters *painters);
 
 void painters_destroy(Painters *painters); // accepts a zeroed painters

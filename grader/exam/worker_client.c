@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-enum { MEMORY_MIB = 2048 };
+enum { MEMORY_MIB = 2048, MAX_RESTARTS = 16 };
 
 #if defined(__SANITIZE_ADDRESS__)
 static const bool limits_memory = false; // the sanitizer reserves terabytes of addresses
@@ -50,7 +50,7 @@ bool worker_client_start(WorkerClient *client) {
                                       .file_mib = ours ? 0 : 1};
     else if (!ours)
         plan.limits = (ProcessLimits){.wall_seconds = wall_seconds(client),
-                                      .cpu_seconds = (unsigned)client->seconds + 1,
+                                      .cpu_seconds = (unsigned)(client->seconds - client->used_seconds) + 1,
                                       .memory_mib = limits_memory ? MEMORY_MIB : 0,
                                       .file_mib = 1};
     client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
@@ -62,45 +62,62 @@ static bool used_up_its_time(const WorkerClient *client) {
     const Process *process = &client->process;
     int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
     return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
-           (number == SIGKILL && !client->each_turn && process->cpu_seconds >= client->seconds);
+           (number == SIGKILL && !client->each_turn &&
+            process->cpu_seconds >= client->seconds - client->used_seconds);
 }
 
-static DrawResult explain_end(const WorkerClient *client, char *text, size_t size) {
+static void append_place(const WorkerClient *client, const Request *request, Reply *reply) {
+    char place[COMPILE_PLACE];
+    const char *folder = strcmp(client->folder, "-") == 0 ? request->folder : client->folder;
+    if (reply->place && compiler_locate(folder, client->jail, reply->place, place))
+        check_append(reply->message, sizeof reply->message, " (%s)", place);
+}
+
+// What the worker said of itself in its last record; a lab may have written that, or prevented it.
+static void append_pass(const WorkerClient *client, const Request *request, Reply *reply) {
+    if (reply->magic != PROTOCOL_CRASHED)
+        return;
+    check_append(reply->message, sizeof reply->message, " in %s", reply->pass);
+    append_place(client, request, reply);
+}
+
+static void explain_crash(const WorkerClient *client, const Request *request, Reply *reply) {
     const Process *process = &client->process;
-    int status = process->status;
-    text[0] = '\0';
+    snprintf(reply->message, sizeof reply->message, "it crashed: %s (%s)",
+             strsignal(WTERMSIG(process->status)), sigabbrev_np(WTERMSIG(process->status)));
+    append_pass(client, request, reply);
+    if (process->peak_mib > MEMORY_MIB / 2)
+        check_append(reply->message, sizeof reply->message,
+                     "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib, MEMORY_MIB);
+}
+
+static DrawResult explain_end(const WorkerClient *client, const Request *request, Reply *reply) {
+    const Process *process = &client->process;
+    char *text = reply->message;
+    const size_t size = sizeof reply->message;
     if (process->state == PROCESS_FLOODED) {
-        check_append(text, size, "it printed more than %d MiB and was stopped",
-                     PROCESS_FLOOD / (1024 * 1024));
+        snprintf(text, size, "it printed more than %d MiB and was stopped", PROCESS_FLOOD / (1024 * 1024));
         return DRAW_LOST;
     }
     if (used_up_its_time(client)) {
-        check_append(text, size, "it was stopped after %.0f s: is there an endless loop?", client->seconds);
+        snprintf(text, size, "it was stopped after %.0f s", client->seconds);
+        append_pass(client, request, reply);
+        check_append(text, size, ": is there an endless loop?");
         return DRAW_TIMEOUT;
     }
-    if (!WIFSIGNALED(status)) {
-        check_append(text, size,
-                     "it ended by itself with exit status %d before the frame was drawn; lab.c must return",
-                     WEXITSTATUS(status));
-        return DRAW_LOST;
-    }
-    check_append(text, size, "it crashed: %s (%s)", strsignal(WTERMSIG(status)),
-                 sigabbrev_np(WTERMSIG(status)));
-    const char *place =
-        strstr(process->text, "in "); // report_crash of the worker, after what the lab printed
-    while (place && strstr(place + 1, "in "))
-        place = strstr(place + 1, "in ");
-    if (place)
-        check_append(text, size, " %.300s", place);
-    if (process->peak_mib > MEMORY_MIB / 2)
-        check_append(text, size, "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib,
-                     MEMORY_MIB);
+    if (WIFSIGNALED(process->status))
+        explain_crash(client, request, reply);
+    else
+        snprintf(text, size,
+                 "it ended by itself with exit status %d before the frame was drawn; lab.c must return",
+                 WEXITSTATUS(process->status));
     return DRAW_LOST;
 }
 
 // All of it is the submission's to write.
 static void clean_reply(Reply *reply) {
     reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
+    description_clean_text(reply->pass, sizeof reply->pass);
     for (int i = 0; i < LAB_MAX_PASSES; i++)
         if (!(reply->milliseconds[i] >= 0 && reply->milliseconds[i] < 1e9f))
             reply->milliseconds[i] = 0;
@@ -115,20 +132,21 @@ static DrawResult exchange(WorkerClient *client, const Request *request, void *p
     bool ok = (client->started || worker_client_start(client)) &&
               process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
               process_exchange(process, NULL, 0, payload, size);
+    if (!ok && reply->magic != PROTOCOL_CRASHED && !process_take_rest(process, reply, sizeof *reply))
+        memset(reply, 0, sizeof *reply);
     clean_reply(reply);
-    DrawResult result = reply->drawn ? DRAW_OK : DRAW_FAILED;
-    if (ok && reply->magic != PROTOCOL_MAGIC) {
+    if (!ok) {
+        memset(payload, 0, size);
+        return explain_end(client, request, reply);
+    }
+    if (reply->magic != PROTOCOL_MAGIC) {
         snprintf(reply->message, sizeof reply->message,
                  "it wrote something else than a frame to descriptor 3");
-        result = DRAW_LOST;
-    } else if (!ok) {
-        memset(payload, 0, size);
-        result = explain_end(client, reply->message, sizeof reply->message);
+        return DRAW_LOST;
     }
     if (reply->message[0])
-        compiler_locate(client->trust == TRUST_OURS ? request->folder : client->folder, client->jail,
-                        reply->message, sizeof reply->message);
-    return result;
+        append_place(client, request, reply);
+    return reply->drawn ? DRAW_OK : DRAW_FAILED;
 }
 
 DrawResult worker_client_draw(WorkerClient *client, const Request *request, Image *image, Reply *reply) {
@@ -154,6 +172,17 @@ DrawResult worker_client_describe(WorkerClient *client, const Request *request, 
 void worker_client_begin(WorkerClient *client) {
     if (client->started && (client->trust == TRUST_NOBODY || client->each_turn))
         client->process.deadline = process_now() + wall_seconds(client);
+}
+
+bool worker_client_restart(WorkerClient *client) {
+    const double deadline = client->process.deadline;
+    worker_client_stop(client);
+    client->used_seconds += client->process.cpu_seconds;
+    if (++client->restarts > MAX_RESTARTS || client->used_seconds >= client->seconds ||
+        process_now() >= deadline || !worker_client_start(client))
+        return false;
+    client->process.deadline = deadline;
+    return true;
 }
 
 void worker_client_stop(WorkerClient *client) {

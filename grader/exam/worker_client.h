@@ -27,6 +27,8 @@ typedef struct WorkerClient {
     bool each_turn; // `seconds` is wall time and starts again with worker_client_begin, whoever draws: for a
                     // window
     bool started;
+    int restarts;        // by worker_client_restart
+    double used_seconds; // processor time of the workers before this one
     Process process;
 } WorkerClient;
 
@@ -50,4 +52,9 @@ DrawResult worker_client_describe(WorkerClient *client, const Request *request, 
 bool worker_client_start(WorkerClient *client);
 // The wall time of a running worker starts again: what has passed was spent by us, or on earlier turns.
 void worker_client_begin(WorkerClient *client);
+
+// Starts another worker in the place of one that was lost, for what is left of its time. False when no time
+// is left, or after too many of them.
+bool worker_client_restart(WorkerClient *client);
+
 void worker_client_stop(WorkerClient *client); // accepts a zeroed client

@@ -6,15 +6,11 @@
 #include "diagnose/diagnose.h"
 #include "exam/exam_file.h"
 #include "diagnose/evidence.h"
+#include "grade/score_check.h"
 #include "score/score.h"
 
 #include <stdio.h>
 #include <string.h>
-
-static const double PASSED_SHARE = 0.95; // of a check's points
-
-// What a frame in which GL refused a call gets of its points: it may be drawn otherwise by another driver.
-static const double REFUSED_SHARE = 0.5;
 
 static void add_warning(LabResult *result, const char *text) {
     char clean[RESULT_TEXT];
@@ -45,80 +41,71 @@ void grade_refuse(LabResult *result, const char *reason) {
     fail_lab(result, LAB_ERROR, reason);
 }
 
-// Without a frame the error is 1.
-static FrameScore score_variant(const CheckResult *check, const Variant *variant, int n, const Image *ours) {
-    const Image *yours = &check->yours[n];
-    if (!yours->rgba || result_wrong_size(&check->facts[n], &variant->facts))
-        return (FrameScore){.inside = 1};
-    FrameScore score = score_frame(yours, ours, &variant->without, &variant->skeleton);
-    if (check->facts[n].refused)
-        score.share *= REFUSED_SHARE;
-    return score;
-}
-
-static void take_worst(CheckResult *check, const FrameScore *score, int n, const Variant *variant) {
-    double error = score->inside + score->outside;
-    bool worse = score->share < check->share || (score->share == check->share && error > check->error);
-    if (n > 0 && !worse)
-        return;
-    check->share = score->share;
-    check->error = error;
-    check->worst = n;
-    check->wrong_size = result_wrong_size(&check->facts[n], &variant->facts);
-    check->refused = check->facts[n].refused;
-}
-
-static void score_check(CheckResult *check, const Variant *variants) {
-    for (int n = 0; n < check->check->variants; n++) {
-        FrameScore score = score_variant(check, &variants[n], n, &variants[n].reference);
-        take_worst(check, &score, n, &variants[n]);
-    }
-    check->passed = check->share >= PASSED_SHARE;
-}
-
-// Is the check passed when alternative a of "also right" is the reference?
-static bool passes_also(const CheckResult *check, Exam *exam, int c, int a) {
-    for (int n = 0; n < check->check->variants; n++) {
-        const Image *ours = exam_also(exam, a, c, n);
-        if (!ours || score_variant(check, &exam->variants[c][n], n, ours).share < PASSED_SHARE)
-            return false;
-    }
-    return true;
-}
-
-// Who draws as such an alternative does gets all points.
-static void try_also(CheckResult *check, Exam *exam, int c) {
-    for (int a = 0; !check->passed && check->yours[0].rgba && a < exam->rubric->also_count; a++)
-        if (passes_also(check, exam, c, a)) {
-            check->share = 1;
-            check->error = 0;
-            check->passed = true;
-        }
-}
-
 typedef struct Ratios {
     double values[RUBRIC_MAX_CHECKS];
     int count;
 } Ratios;
 
-// Draws one frame of the student's; false when no more frames will come.
-static bool draw_one(LabResult *result, WorkerClient *student, const Variant *variant, CheckResult *check,
-                     int n, float *milliseconds) {
-    static Reply reply;
+// What the lab prints, for who debugs in this way; the first lines are enough.
+static void note_output(LabResult *result, const char *printed) {
+    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
+    char text[MAX_TEXT + 64] = "it printed:";
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+        end += strcspn(end, "\n");
+        end += *end == '\n';
+    }
+    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
+    if (length > 0)
+        add_warning(result, text);
+}
+
+// Draws one frame of the student's.
+static DrawResult draw_one(LabResult *result, WorkerClient *student, const Variant *variant,
+                           CheckResult *check, int n, Reply *reply) {
     Image *yours = &check->yours[n];
-    DrawResult drawn = worker_client_draw(student, &variant->request, yours, &reply);
-    check->facts[n] = reply.facts;
+    DrawResult drawn = worker_client_draw(student, &variant->request, yours, reply);
+    check->facts[n] = reply->facts;
     if (drawn == DRAW_OK) {
-        if (reply.message[0])
-            add_warning(result, reply.message);
+        if (reply->message[0])
+            add_warning(result, reply->message);
         if (score_not_finite(yours))
             add_warning(result, score_not_finite(yours));
-        *milliseconds = exam_milliseconds(&reply);
-        return true;
+        return DRAW_OK;
     }
     image_destroy(yours);
-    fail_lab(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply.message);
-    return drawn == DRAW_FAILED;
+    fail_lab(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply->message);
+    return drawn;
+}
+
+// A check in which the worker was lost has no pictures to judge: how it was lost is its cause.
+static void lose_check(CheckResult *check, DrawResult drawn, const char *how) {
+    for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
+        image_destroy(&check->yours[n]);
+    result_clean(check->mistake, sizeof check->mistake, how);
+    snprintf(check->kind, sizeof check->kind, "%s",
+             drawn == DRAW_TIMEOUT ? "it ran out of its time" : "it crashed or ended by itself");
+    check->has_cause = true;
+}
+
+// Draws the frames of check c. False when no more will come: the time is over, or the worker was lost too
+// often.
+static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exam, int c,
+                       float *milliseconds) {
+    static Reply reply;
+    CheckResult *check = &result->checks[c];
+    DrawResult drawn = DRAW_OK;
+    for (int n = 0; (drawn == DRAW_OK || drawn == DRAW_FAILED) && n < check->check->variants; n++) {
+        drawn = draw_one(result, student, &exam->variants[c][n], check, n, &reply);
+        if (drawn == DRAW_OK)
+            *milliseconds = exam_milliseconds(&reply);
+    }
+    if (drawn == DRAW_OK || drawn == DRAW_FAILED)
+        return true;
+    lose_check(check, drawn, reply.message);
+    note_output(result, student->process.text);
+    return worker_client_restart(student);
 }
 
 // The first frame of a check pays for what the driver compiles late: the last one is compared. What the
@@ -165,22 +152,27 @@ static bool passes(const LabResult *result, const Exam *exam) {
 
 void grade_pictures(LabResult *result, Exam *exam) {
     for (int c = 0; c < result->check_count; c++) {
-        score_check(&result->checks[c], exam->variants[c]);
-        try_also(&result->checks[c], exam, c);
+        score_check(&result->checks[c], exam, c);
         result->score += result_points(&result->checks[c]);
     }
     if (!result->message[0])
         result->status = passes(result, exam) ? LAB_PASSED : LAB_FAILED;
 }
 
+bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c) {
+    float milliseconds;
+    draw_check(result, student, exam, c, &milliseconds);
+    score_check(&result->checks[c], exam, c);
+    return result->checks[c].passed;
+}
+
 void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed) {
     Ratios ratios = {0};
     bool alive = true;
+    student->restarts = 0;
     for (int c = 0; c < result->check_count; c++) {
-        CheckResult *check = &result->checks[c];
         float milliseconds = 0;
-        for (int n = 0; alive && n < check->check->variants; n++)
-            alive = draw_one(result, student, &exam->variants[c][n], check, n, &milliseconds);
+        alive = alive && draw_check(result, student, exam, c, &milliseconds);
         if (timed)
             add_ratio(&ratios, milliseconds, exam, c);
     }
@@ -221,21 +213,6 @@ static bool take_submission(LabResult *result, WorkerClient *student, const Rubr
     }
     check_clear();
     return ok;
-}
-
-// What the lab prints, for who debugs in this way; the first lines are enough.
-static void note_output(LabResult *result, const char *printed) {
-    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
-    char text[MAX_TEXT + 64] = "it printed:";
-    const char *end = printed;
-    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
-        end += strcspn(end, "\n");
-        end += *end == '\n';
-    }
-    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
-    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
-    if (printed[0])
-        add_warning(result, text);
 }
 
 static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,

@@ -18,6 +18,10 @@ void grade_refuse(LabResult *result, const char *reason);
 // compare their times.
 void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed);
 
+// Draws and scores check c alone, and says whether it passes; the result, which grade_begin has prepared,
+// gets neither a sum nor a status.
+bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c);
+
 // Scores the frames that the result already holds, as grade_frames does once they are drawn.
 void grade_pictures(LabResult *result, Exam *exam);
 

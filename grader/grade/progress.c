@@ -46,7 +46,7 @@ static bool read_labs(Progress *progress, json_t *root) {
         !json_is_object(json_object_get(root, "labs")))
         return false;
     json_object_foreach(json_object_get(root, "labs"), id, entry) {
-        if (progress->count == PROGRESS_MAX_LABS || !read_entry(&progress->labs[progress->count], id, entry))
+        if (progress->count == COURSE_MAX_LABS || !read_entry(&progress->labs[progress->count], id, entry))
             return false;
         progress->count++;
     }

@@ -2,9 +2,9 @@
 // another file.
 #pragma once
 
-#include <stdbool.h>
+#include "base/limits.h"
 
-enum { PROGRESS_MAX_LABS = 16 };
+#include <stdbool.h>
 
 typedef struct LabProgress {
     char id[3];
@@ -15,7 +15,7 @@ typedef struct LabProgress {
 } LabProgress;
 
 typedef struct Progress {
-    LabProgress labs[PROGRESS_MAX_LABS];
+    LabProgress labs[COURSE_MAX_LABS];
     int count;
     char note[1000]; // what the user should know: a damaged file was set aside; "" when all is well
 } Progress;

@@ -18,8 +18,8 @@ static void add_lab(const char *id, void *context) {
     Session *session = adding->session;
     if (!adding->ok)
         return;
-    if (session->lab_count == RESULT_MAX_LABS) {
-        adding->ok = check_fail("more than %d labs at once", RESULT_MAX_LABS);
+    if (session->lab_count == COURSE_MAX_LABS) {
+        adding->ok = check_fail("more than %d labs at once", COURSE_MAX_LABS);
         return;
     }
     adding->ok = lab_exam_open(&session->examiners[session->lab_count], id);
@@ -40,7 +40,7 @@ static bool begin_report(Session *session, Report *report) {
     *report = (Report){.seed = session->options.seed,
                        .jail = jail_route_name(jail ? jail->route : JAIL_NONE),
                        .context = context_name(session->options.context),
-                       .labs = calloc(RESULT_MAX_LABS, sizeof *report->labs)};
+                       .labs = calloc(COURSE_MAX_LABS, sizeof *report->labs)};
     return report->labs || check_fail("out of memory");
 }
 

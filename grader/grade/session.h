@@ -10,7 +10,7 @@ typedef struct Session {
     bool keep;     // exams from one submission to the next; else each is freed when its lab is done
     bool complete; // labs that were not handed in are in the report, too, also of a folder of one lab
     int lab_count;
-    LabExam examiners[RESULT_MAX_LABS];
+    LabExam examiners[COURSE_MAX_LABS];
 } Session;
 
 // Adds the lab "03"; with NULL all labs. False with a message.

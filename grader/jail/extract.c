@@ -4,36 +4,52 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 typedef struct Extraction {
     Process process;
-    const char *archive;
     int folder; // descriptor
     int files;
     size_t bytes;
+    Extracted result; // of what has failed
 } Extraction;
 
+// Only the last fault before the end counts: whoever calls this gives up.
+static bool refuse(Extraction *extraction, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static bool refuse(Extraction *extraction, const char *format, ...) {
+    char text[1200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    extraction->result = EXTRACT_BAD_ARCHIVE;
+    return check_fail("the archive%s", text);
+}
+
 // The archive's size and bytes in one block, as the protocol wants them.
-static char *read_archive(const char *path, size_t *size) {
+static char *read_archive(Extraction *extraction, const char *path, size_t *size) {
     struct stat info;
     char *block = NULL;
     int descriptor = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (descriptor < 0 || fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode))
-        check_fail("%s is not a file that can be read", path);
+    if (descriptor < 0)
+        check_fail("the archive cannot be read: %s", strerror(errno));
+    else if (fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode))
+        refuse(extraction, " is not a file");
     else if (info.st_size > EXTRACT_MAX_ARCHIVE)
-        check_fail("%s is larger than %d MiB", path, EXTRACT_MAX_ARCHIVE >> 20);
+        refuse(extraction, " is larger than %d MiB", EXTRACT_MAX_ARCHIVE >> 20);
     else if ((block = calloc((size_t)info.st_size + sizeof(uint64_t), 1))) {
         uint64_t bytes = (uint64_t)info.st_size;
         memcpy(block, &bytes, sizeof bytes);
         *size = sizeof bytes + (size_t)bytes;
         if (pread(descriptor, block + sizeof bytes, (size_t)bytes, 0) != info.st_size) {
-            check_fail("%s cannot be read", path);
+            check_fail("the archive cannot be read");
             free(block);
             block = NULL;
         }
@@ -69,66 +85,84 @@ static bool make_parents(int folder, const char *name) {
     return true;
 }
 
+// Is it the name that is wrong, and not our disk?
+static bool is_of_name(int error) {
+    return error == EEXIST || error == ENOTDIR || error == EISDIR || error == ENAMETOOLONG ||
+           error == EINVAL || error == EILSEQ || error == ELOOP;
+}
+
+static bool fail_file(Extraction *extraction, const char *name, int error) {
+    if (is_of_name(error))
+        return refuse(extraction, ": \"%s\" cannot be made: %s", name, strerror(error));
+    return check_fail("\"%s\" of the archive cannot be written: %s", name, strerror(error));
+}
+
 // All below the folder is made by us, and we make no links: so a name cannot lead out of it.
-static bool write_file(const Extraction *extraction, const char *name, const char *bytes, size_t size) {
+static bool write_file(Extraction *extraction, const char *name, const char *bytes, size_t size) {
     if (!make_parents(extraction->folder, name))
-        return check_fail("%s: a folder for \"%s\" cannot be made: %s", extraction->archive, name,
-                          strerror(errno));
+        return fail_file(extraction, name, errno);
     int file = openat(extraction->folder, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
     if (file < 0)
-        return check_fail(errno == EEXIST ? "%s holds \"%s\" twice" : "%s: \"%s\" cannot be made: %s",
-                          extraction->archive, name, strerror(errno));
-    bool ok = write(file, bytes, size) == (ssize_t)size;
-    ok = close(file) == 0 && ok;
-    return ok || check_fail("%s: \"%s\" cannot be written: %s", extraction->archive, name, strerror(errno));
+        return errno == EEXIST ? refuse(extraction, " holds \"%s\" twice", name)
+                               : fail_file(extraction, name, errno);
+    ssize_t written = write(file, bytes, size);
+    int error = written < 0 ? errno : ENOSPC;
+    bool ok = close(file) == 0 && written == (ssize_t)size;
+    return ok || check_fail("\"%s\" of the archive cannot be written: %s", name, strerror(error));
 }
 
 static bool take_file(Extraction *extraction, const ExtractEntry *entry) {
-    const char *archive = extraction->archive;
     extraction->bytes += entry->size;
     if (!is_plain(entry->text))
-        return check_fail("%s holds a file with a path that leads out of it or is no plain name", archive);
+        return refuse(extraction, " holds a file with a path that leads out of it or is no plain name");
     if (entry->size > EXTRACT_MAX_FILE || extraction->bytes > EXTRACT_MAX_BYTES)
-        return check_fail("%s holds more than %d MiB in one file or %d MiB in all", archive,
-                          EXTRACT_MAX_FILE >> 20, EXTRACT_MAX_BYTES >> 20);
+        return refuse(extraction, " holds more than %d MiB in one file or %d MiB in all",
+                      EXTRACT_MAX_FILE >> 20, EXTRACT_MAX_BYTES >> 20);
     if (++extraction->files > EXTRACT_MAX_FILES)
-        return check_fail("%s holds more than %d files", archive, EXTRACT_MAX_FILES);
+        return refuse(extraction, " holds more than %d files", EXTRACT_MAX_FILES);
     char *bytes = malloc(entry->size + 1);
     bool ok = bytes && (process_exchange(&extraction->process, NULL, 0, bytes, entry->size) ||
-                        check_fail("%s: the unpacker ended too early", archive));
+                        refuse(extraction, ": the unpacker ended too early"));
     ok = ok && write_file(extraction, entry->text, bytes, entry->size);
     free(bytes);
     return ok;
 }
 
+// The unpacker, which a bad archive may have broken, has ended before it told the end.
+static bool explain_break(Extraction *extraction) {
+    enum { NOT_STARTED = 127 };
+    const Process *process = &extraction->process;
+    if (process->state == PROCESS_TIMED_OUT)
+        return refuse(extraction, " takes too long to unpack");
+    if (extraction->files == 0 && WIFEXITED(process->status) && WEXITSTATUS(process->status) == NOT_STARTED)
+        return check_fail("the unpacker does not start: %.200s", process->text);
+    return refuse(extraction, ": the unpacker broke off; is it a bomb? %.200s", process->text);
+}
+
 static bool take_files(Extraction *extraction, const char *block, size_t size) {
     static ExtractEntry entry;
-    Process *process = &extraction->process;
     for (;;) {
-        if (!process_exchange(process, block, size, &entry, sizeof entry))
-            return check_fail(process->state == PROCESS_TIMED_OUT
-                                  ? "%s takes too long to unpack"
-                                  : "%s: the unpacker broke off; is it a bomb? %.200s",
-                              extraction->archive, process->text);
+        if (!process_exchange(&extraction->process, block, size, &entry, sizeof entry))
+            return explain_break(extraction);
         size = 0;
         entry.text[sizeof entry.text - 1] = '\0';
         if (entry.kind == EXTRACT_END)
             return true;
         if (entry.kind != EXTRACT_FILE)
-            return check_fail("%s: %.900s", extraction->archive, entry.text);
+            return refuse(extraction, ": %.900s", entry.text);
         if (!take_file(extraction, &entry))
             return false;
     }
 }
 
-bool jail_extract(const Jail *jail, const char *archive, const char *folder) {
+Extracted jail_extract(const Jail *jail, const char *archive, const char *folder) {
     static Extraction extraction;
-    extraction = (Extraction){.archive = archive};
+    extraction = (Extraction){.result = EXTRACT_FAULT};
     char unpacker[FILES_PATH];
     size_t size = 0;
-    char *block = read_archive(archive, &size);
+    char *block = read_archive(&extraction, archive, &size);
     if (!block)
-        return false;
+        return extraction.result;
     extraction.folder = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     jail_part(jail, "jail_unpack", unpacker);
     char *arguments[] = {unpacker, NULL}, *environment[] = {"LC_ALL=C.UTF-8", NULL};
@@ -142,5 +176,5 @@ bool jail_extract(const Jail *jail, const char *archive, const char *folder) {
     if (extraction.folder >= 0)
         close(extraction.folder);
     free(block);
-    return ok;
+    return ok ? EXTRACT_OK : extraction.result;
 }

@@ -21,7 +21,7 @@ bool jail_parse_route(JailRoute *route, const char *name) {
     for (*route = JAIL_BWRAP; *route <= JAIL_LANDLOCK; (*route)++)
         if (strcmp(name, route_names[*route]) == 0)
             return true;
-    return check_fail("--jail takes bwrap or landlock, not \"%s\"", name);
+    return check_fail("takes bwrap or landlock, not \"%s\"", name);
 }
 
 void jail_destroy(Jail *jail) {

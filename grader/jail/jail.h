@@ -11,7 +11,7 @@
 // "bwrap", "landlock" or "none".
 const char *jail_route_name(JailRoute route);
 
-// False with a message when `name` is neither "bwrap" nor "landlock".
+// False with a message for an option ("takes ...") when `name` is neither "bwrap" nor "landlock".
 bool jail_parse_route(JailRoute *route, const char *name);
 
 void jail_destroy(Jail *jail); // accepts a zeroed jail

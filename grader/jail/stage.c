@@ -65,19 +65,21 @@ static void copy_entry(const char *name, void *context) {
     Copy *copy = context;
     char from[FILES_PATH], to[FILES_PATH];
     size_t length = strlen(name);
-    struct stat info;
     if (!copy->ok || (length > 2 && strcmp(name + length - 2, ".c") == 0))
         return;
     files_join(from, copy->from, name);
     files_join(to, copy->to, name);
-    if (stat(from, &info) != 0) {
-        copy->ok = check_fail("%s cannot be copied for the jail: %s", from, strerror(errno));
-    } else if (S_ISDIR(info.st_mode)) {
-        Copy inner = {from, to, mkdir(to, 0755) == 0 && chmod(to, 0755) == 0};
-        copy->ok = inner.ok && files_list(from, copy_entry, &inner) && inner.ok;
-    } else {
-        copy->ok = copy_file(from, to, &info);
-    }
+    copy->ok = stage_copy(from, to);
+}
+
+bool stage_copy(const char *from, const char *to) {
+    struct stat info;
+    if (stat(from, &info) != 0)
+        return check_fail("%s cannot be copied for the jail: %s", from, strerror(errno));
+    if (!S_ISDIR(info.st_mode))
+        return copy_file(from, to, &info);
+    Copy inner = {from, to, mkdir(to, 0755) == 0 && chmod(to, 0755) == 0};
+    return inner.ok && files_list(from, copy_entry, &inner) && inner.ok;
 }
 
 bool stage_create(char stage[FILES_PATH]) {
@@ -85,12 +87,10 @@ bool stage_create(char stage[FILES_PATH]) {
         return false;
     bool ok = chmod(stage, 0755) == 0;
     for (int i = 0; ok && i < PARTS; i++) {
-        char path[FILES_PATH];
-        stage_source(parts[i].name, path);
-        path[strlen(path) - strlen(parts[i].name) - 1] = '\0';
-        Copy copy = {path, stage, true};
-        copy_entry(parts[i].name, &copy);
-        ok = copy.ok;
+        char from[FILES_PATH], to[FILES_PATH];
+        stage_source(parts[i].name, from);
+        files_join(to, stage, parts[i].name);
+        ok = stage_copy(from, to);
     }
     if (!ok) {
         stage_destroy(stage);

@@ -10,6 +10,9 @@
 // it. False with a message.
 bool stage_create(char stage[FILES_PATH]);
 
+// Copies a file or a folder, all but what ends in .c, to the new file or folder `to`. False with a message.
+bool stage_copy(const char *from, const char *to);
+
 // The path outside of a part that stage_create copies.
 void stage_source(const char *part, char path[FILES_PATH]);
 

@@ -94,6 +94,35 @@ void page_text(Page *page, const char *text) {
     write_escaped(page->out, text);
 }
 
+static void write_head(Page *page, const char *head) {
+    bool number = head[0] == '#';
+    fputs(number    ? "<th scope=\"col\" class=\"number\">"
+          : head[0] ? "<th scope=\"col\">"
+                    : "<td>",
+          page->out);
+    page_text(page, head + number);
+    fputs(head[0] ? "</th>" : "</td>", page->out);
+}
+
+void page_begin_table(Page *page, const char *label, const char *const *heads) {
+    fputs("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"", page->out);
+    page_text(page, label);
+    fputs("\"><table><thead><tr>", page->out);
+    for (; *heads; heads++)
+        write_head(page, *heads);
+    fputs("</tr></thead><tbody>\n", page->out);
+}
+
+void page_end_table(Page *page) {
+    fputs("</tbody></table></div>\n", page->out);
+}
+
+void page_cell(Page *page, const char *text) {
+    fputs("<td>", page->out);
+    page_text(page, text);
+    fputs("</td>", page->out);
+}
+
 void page_base64(FILE *out, const uint8_t *bytes, size_t size) {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < size; i += 3) {

@@ -30,6 +30,15 @@ char *page_end(Page *page);
 // Writes text, escaped for element content and for attributes in double quotes.
 void page_text(Page *page, const char *text);
 
+// Begins a table that can be scrolled by itself on a narrow screen. `label` says what it holds; `heads` are
+// the columns' heads, NULL after the last: with a '#' before it, that of a column of numbers; "": of none.
+// Rows follow, then page_end_table.
+void page_begin_table(Page *page, const char *label, const char *const *heads);
+void page_end_table(Page *page);
+
+// Writes a cell of text.
+void page_cell(Page *page, const char *text);
+
 // Writes a data: URI with the bytes; `type` is "image/png".
 void page_data(Page *page, const char *type, const void *bytes, size_t size);
 

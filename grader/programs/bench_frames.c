@@ -1,8 +1,11 @@
-// bench_frames NN: milliseconds of a lab's frames, of scoring and of writing PNG. For `make bench`; not a
+// bench_frames: milliseconds of a lab's frames, of scoring and of writing PNG. For `make bench`; not a
 // test.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
+#include "base/command_line.h"
+#include "base/option_values.h"
 #include "base/places.h"
 #include "base/statistics.h"
 #include "score/score.h"
@@ -125,11 +128,32 @@ static bool bench(const char *id) {
     return ok;
 }
 
+static bool check(void *settings, const Operands *operands) {
+    if (option_lab(settings, operands->texts[0]))
+        return true;
+    char message[500];
+    snprintf(message, sizeof message, "%s", check_message());
+    check_clear();
+    return check_fail("NN %s", message);
+}
+
+static const CommandLine command_line = {
+    .program = "bench_frames",
+    .forms = "NN",
+    .about = "Times the frames of lab NN, scoring and writing PNG. For `make bench`; not a test.\n",
+    .options = (const Option[]){{0}},
+    .operand = "NN",
+    .least = 1,
+    .most = 1,
+    .check = check,
+};
+
 int main(int count, char **arguments) {
+    char lab[3];
+    command_line_take(&command_line, lab, count, arguments);
     signal(SIGPIPE, SIG_IGN);
-    if (count != 2 || !bench(arguments[1])) {
-        fprintf(stderr, "bench_frames: %s\n", count == 2 ? check_message() : "usage: bench_frames NN");
-        return count == 2 ? 1 : 2;
-    }
-    return 0;
+    if (bench(lab))
+        return 0;
+    fprintf(stderr, "bench_frames: %s\n", check_message());
+    return 3;
 }

@@ -3,6 +3,7 @@
 // "wall" is what passes on the clock, "cpu" the processor time divided by the threads: the same on an idle
 // machine.
 #include "scene/check.h"
+#include "base/command_line.h"
 #include "scene/count.h"
 #include "base/process.h"
 #include "base/statistics.h"
@@ -142,7 +143,15 @@ static bool bench(void) {
     return ok;
 }
 
-int main(void) {
+static const CommandLine command_line = {
+    .program = "bench_truth",
+    .forms = "",
+    .about = "Times the rays of the truth. For `make bench`; not a test.\n",
+    .options = (const Option[]){{0}},
+};
+
+int main(int count, char **arguments) {
+    command_line_take(&command_line, NULL, count, arguments);
     if (bench())
         return 0;
     fprintf(stderr, "bench_truth: %s\n", check_message());

@@ -1,19 +1,107 @@
 // chart: measures speed and error of the labs' methods in the scenes of the study, and charts one against the
 // other.
 #include "scene/check.h"
+#include "base/command_line.h"
+#include "base/option_values.h"
 #include "base/places.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "study/chart_svg.h"
 #include "study/csv.h"
-#include "study/chart_options.h"
 #include "study/chart_page.h"
 
-#include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+enum { MOST_SCENES = 16, MOST_FRAMES = 1000, MOST_SIDE = PROTOCOL_MAX_SIZE };
+
+typedef struct ChartCommand {
+    const char *scenes[MOST_SCENES], *submission, *output;
+    char lab[3]; // "": all
+    int scene_count, frames;
+    MetricsSize size;
+    bool quick, compare;
+    char **compared; // two files
+    bool trusted;    // no jail for the submission
+} ChartCommand;
+
+static const StudyScene *find_scene(const char *name) {
+    for (int i = 0; study_scene(i); i++)
+        if (strcmp(study_scene(i)->name, name) == 0)
+            return study_scene(i);
+    return NULL;
+}
+
+static bool take_scene(void *target, const char *name) {
+    ChartCommand *command = target;
+    if (!find_scene(name)) {
+        char names[256] = "";
+        for (int i = 0; study_scene(i); i++)
+            check_append(names, sizeof names, " %s", study_scene(i)->name);
+        return check_fail("takes a scene of the study: there is no scene \"%s\"; there are%s", name, names);
+    }
+    if (command->scene_count == MOST_SCENES)
+        return check_fail("is given more than %d times", MOST_SCENES);
+    command->scenes[command->scene_count++] = name;
+    return true;
+}
+
+static bool take_frames(void *target, const char *text) {
+    return option_whole(target, text, 1, MOST_FRAMES);
+}
+
+static bool take_size(void *target, const char *text) {
+    MetricsSize *size = target;
+    return option_size(&size->width, &size->height, text, MOST_SIDE);
+}
+
+#define AT(field) offsetof(ChartCommand, field)
+static const Option options[] = {
+    {"scene", 0, "NAME", "this scene only; may be repeated", 0, take_scene},
+    {"lab", 0, "NN", "only the scenes in which lab NN takes part", AT(lab), option_lab},
+    {"submission", 0, "DIR", "its lab NN is charted, too (labs/ or the folder of one lab)", AT(submission),
+     option_text},
+    {"trusted", 0, NULL, "the submission is my own work: no jail", AT(trusted), option_flag},
+    {"quick", 0, NULL, "small pictures and few frames: under a minute", AT(quick), option_flag},
+    {"frames", 0, "N", "of each setting (30; 6 with --quick)", AT(frames), take_frames},
+    {"size", 0, "WxH", "640x480 (320x240 with --quick)", AT(size), take_size},
+    {"output", 0, "DIR", "default build/study; what is measured there is not measured again", AT(output),
+     option_text},
+    {"compare", 0, NULL, "compare two tables that build/chart has written", AT(compare), option_flag},
+    {0}};
+#undef AT
+
+static bool check(void *settings, const Operands *operands) {
+    ChartCommand *command = settings;
+    command->compared = operands->texts;
+    if (command->compare && operands->count != 2)
+        return check_fail("--compare takes two files");
+    if (!command->compare && operands->count > 0)
+        return check_fail("\"%s\" is not an option", operands->texts[0]);
+    return !command->submission || command->lab[0] ||
+           check_fail("--submission needs the --lab that is charted");
+}
+
+static const CommandLine command_line = {
+    .program = "chart",
+    .forms = "[options]\n--compare A.csv B.csv",
+    .about = "Measures speed and error of the labs' methods in the scenes of the study, and charts them.\n",
+    .options = options,
+    .ending = "exit status: 0; 1 a fault, or --compare finds what noise does not explain; 2 usage\n",
+    .operand = "file",
+    .most = 2,
+    .check = check,
+};
+
+// Is this scene to be measured?
+static bool is_wanted(const ChartCommand *command, const StudyScene *scene) {
+    bool named = command->scene_count == 0;
+    for (int i = 0; i < command->scene_count; i++)
+        named = named || strcmp(command->scenes[i], scene->name) == 0;
+    return named && (!command->lab[0] || measure_concerns(scene, command->lab));
+}
 
 // Files that grow scene by scene in memory; they are written when they are whole.
 typedef struct GrowingFile {
@@ -93,16 +181,16 @@ static bool open_output(StudyPlan *plan, Output *output) {
            begin_file(&output->needs, plan->output, "needs.txt");
 }
 
-static bool study(const ChartOptions *options, StudyPlan *plan) {
+static bool study(const ChartCommand *command, StudyPlan *plan) {
     static Output output;
     if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
     csv_head(output.csv.out);
     for (int i = 0; study_scene(i); i++)
-        if (chart_options_want(options, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
+        if (is_wanted(command, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
     if (output.scenes == 0)
-        return check_fail("no scene of the study has settings of lab %s", options->lab);
+        return check_fail("no scene of the study has settings of lab %s", command->lab);
     bool ok = chart_page_end(output.page.out);
     ok = end_file(&output.csv) && ok;
     ok = end_file(&output.needs) && ok;
@@ -113,8 +201,8 @@ static bool study(const ChartOptions *options, StudyPlan *plan) {
 }
 
 // Untrusted code is compiled and run in a jail.
-static bool choose_jail(const ChartOptions *options, StudyPlan *plan, Jail *jail) {
-    if (!options->submission || options->trusted)
+static bool choose_jail(const ChartCommand *command, StudyPlan *plan, Jail *jail) {
+    if (!command->submission || command->trusted)
         return true;
     return jail_choose(jail, JAIL_NONE, false, "chart", &plan->artists.jail);
 }
@@ -128,26 +216,23 @@ static int compare(char **paths) {
 }
 
 int main(int count, char **arguments) {
-    static ChartOptions options;
+    static ChartCommand command;
     static StudyPlan plan;
     static Jail jail;
-    if (!chart_options_parse(&options, count, arguments)) {
-        fprintf(stderr, "chart: %s\n%s", check_message(), chart_options_usage);
-        return 2;
-    }
-    if (options.compare)
-        return compare(arguments + optind);
+    command_line_take(&command_line, &command, count, arguments);
+    if (command.compare)
+        return compare(command.compared);
     signal(SIGPIPE, SIG_IGN);
     char standard[FILES_PATH];
     places_build_path(standard, "study");
-    plan.output = options.output ? options.output : standard;
-    plan.size = options.size.width ? options.size
-                : options.quick    ? (MetricsSize){320, 240}
+    plan.output = command.output ? command.output : standard;
+    plan.size = command.size.width ? command.size
+                : command.quick    ? (MetricsSize){320, 240}
                                    : (MetricsSize){640, 480};
-    plan.frames = options.frames ? options.frames : options.quick ? 6 : 30;
-    plan.artists.submission_lab = options.lab;
-    plan.artists.submission = options.submission;
-    bool ok = choose_jail(&options, &plan, &jail) && study(&options, &plan);
+    plan.frames = command.frames ? command.frames : command.quick ? 6 : 30;
+    plan.artists.submission_lab = command.lab[0] ? command.lab : NULL;
+    plan.artists.submission = command.submission;
+    bool ok = choose_jail(&command, &plan, &jail) && study(&command, &plan);
     if (!ok)
         fprintf(stderr, "\nchart: %s\n", check_message());
     lab_artists_dismiss(&plan.artists);

@@ -1,23 +1,135 @@
-// The grader: see options.h for its command line and README.md for what it does.
+// The grader, of one submission or of a whole class. See grader/README.md.
 #include "scene/check.h"
 #include "class/class.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
-#include "class/grade_options.h"
 #include "grade/progress.h"
 #include "exam/exam_file.h"
 #include "report/evidence_files.h"
+#include "base/command_line.h"
+#include "base/option_values.h"
 #include "base/temporary.h"
+#include "grade/session.h"
+#include "report/report.h"
 
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-static bool add_labs(Session *session, const Options *options) {
-    bool ok = options->lab_count > 0 || session_add(session, NULL);
-    for (int i = 0; ok && i < options->lab_count; i++)
-        ok = session_add(session, options->labs[i]);
+enum { EXIT_ALL_PASSED, EXIT_NOT_ALL, EXIT_COULD_NOT = 3 }; // and EXIT_USAGE
+
+typedef struct GradeCommand {
+    const char *submission, *output;
+    ReportFormat format;
+    bool record, trusted;
+    ClassSettings class; // what a class and one submission have in common is here, too
+} GradeCommand;
+
+static bool take_seed(void *target, const char *text) {
+    ClassSettings *class = target;
+    return class->seeded = option_seed(&class->seed, text);
+}
+
+static bool take_timeout(void *target, const char *text) {
+    ClassSettings *class = target;
+    return class->timed = option_seconds(&class->seconds, text);
+}
+
+static bool take_route(void *target, const char *text) {
+    return jail_parse_route(target, text);
+}
+
+static bool take_format(void *target, const char *text) {
+    return report_parse_format(target, text) ||
+           check_fail("takes text, json, html, gradescope or check50, not \"%s\"", text);
+}
+
+static bool take_jobs(void *target, const char *text) {
+    return option_whole(target, text, 1, 256);
+}
+
+static bool take_only(void *target, const char *name) {
+    ClassSettings *class = target;
+    class->only = realloc(class->only, sizeof *class->only * (size_t)(class->only_count + 1));
+    INVARIANT(class->only);
+    class->only[class->only_count++] = name;
+    return true;
+}
+
+#define AT(field) offsetof(GradeCommand, field)
+static const Option options[] = {
+    {"lab", 0, "NN", "only this lab; may be repeated", AT(class.labs), option_labs},
+    {"seed", 0, "N", "the variants of an earlier run (default: drawn at random)", AT(class), take_seed},
+    {"context", 0, "C", "osmesa (default) or egl; also SHADOW_LAB_CONTEXT", AT(class.context),
+     option_context},
+    {"format", 0, "F", "text (default), json, html, gradescope or check50", AT(format), take_format},
+    {"output", 0, "DIR", "pictures of what failed: yours, reference, difference", AT(output), option_text},
+    {"record", 0, NULL, "note the points in the progress (see progress.h)", AT(record), option_flag},
+    {"timeout", 0, "S", "seconds that a submission may run per lab (default 20)", AT(class), take_timeout},
+    {"jail", 0, "ROUTE", "bwrap or landlock: only this jail (default: the first that holds)", AT(class.route),
+     take_route},
+    {"trusted", 0, NULL, "no jail: the submission is my own work", AT(trusted), option_flag},
+    {.help = "of a whole class, one submission a folder or archive (.zip, .tar.gz) in DIR:"},
+    {"class", 0, "DIR",
+     "the submissions; --output is the folder for grades.csv, index.html, pages/ and\nresults/",
+     AT(class.folder), option_text},
+    {NULL, 'j', "N", "submissions at a time (default: one a processor)", AT(class.jobs), take_jobs},
+    {"resume", 0, NULL, "go on with the run in OUT; what is graded stays", AT(class.resume), option_flag},
+    {"only", 0, "NAME", "grade only this one (again) and gather nothing; may be repeated", AT(class),
+     take_only},
+    {"gather", 0, NULL, "grade nothing; make grades.csv and index.html from the results", AT(class.gather),
+     option_flag},
+    {"list", 0, NULL, "print the names of the results, one a line", AT(class.list), option_flag},
+    {0}};
+#undef AT
+
+static bool is_folder(const char *path) {
+    struct stat info;
+    return (stat(path, &info) == 0 && S_ISDIR(info.st_mode)) || check_fail("%s is not a folder", path);
+}
+
+static bool check_class(GradeCommand *command, const Operands *operands) {
+    ClassSettings *class = &command->class;
+    class->output = command->output;
+    if (command->trusted)
+        return check_fail("a class is graded in the jail only: --trusted does not go with --class");
+    if (operands->count > 0)
+        return check_fail("with --class there is no SUBMISSION: \"%s\"", operands->texts[0]);
+    return (class->output || class->list || check_fail("--class needs --output OUT")) &&
+           is_folder(class->folder);
+}
+
+static bool check(void *settings, const Operands *operands) {
+    GradeCommand *command = settings;
+    const ClassSettings *class = &command->class;
+    if (command->trusted && class->route != JAIL_NONE)
+        return check_fail("--trusted and --jail exclude each other");
+    if (class->folder)
+        return check_class(command, operands);
+    if (class->jobs || class->resume || class->gather || class->list || class->only)
+        return check_fail("-j, --resume, --only, --gather and --list go with --class");
+    command->submission = operands->texts[0];
+    return operands->count == 1 ? is_folder(command->submission) : check_fail("give one SUBMISSION");
+}
+
+static const CommandLine command_line = {
+    .program = "grade",
+    .forms = "[options] SUBMISSION\n[options] --class DIR --output OUT",
+    .about = "Grades a SUBMISSION: a folder shaped like labs/, or the folder of one lab.\n",
+    .options = options,
+    .ending =
+        "exit status: 0 all passed (of a class: all graded), 1 not all passed, 2 usage, 3 could not grade\n",
+    .operand = "SUBMISSION",
+    .most = 1,
+    .check = check,
+};
+
+static bool add_labs(Session *session, const LabList *labs) {
+    bool ok = labs->count > 0 || session_add(session, NULL);
+    for (int i = 0; ok && i < labs->count; i++)
+        ok = session_add(session, labs->ids[i]);
     return ok;
 }
 
@@ -49,21 +161,24 @@ static void record(const Report *report) {
         fprintf(stderr, "grade: %s\n", progress.note);
 }
 
-static int grade_submission(Options *options) {
+static int grade_submission(const GradeCommand *command) {
     static Session session;
     static Jail jail;
     Report report = {0};
+    const ClassSettings *settings = &command->class;
     temporary_on_signals();
-    bool ok = jail_choose(&jail, options->route, options->trusted, "grade", &options->grade.jail);
-    session.options = options->grade;
-    session.options.evidence = options->output || options->format == REPORT_HTML;
+    session.options = (GradeOptions){.context = settings->context,
+                                     .seconds = settings->seconds,
+                                     .seed = settings->seed,
+                                     .evidence = command->output || command->format == REPORT_HTML};
+    bool ok = jail_choose(&jail, settings->route, command->trusted, "grade", &session.options.jail);
     int status = EXIT_COULD_NOT;
-    if (ok && add_labs(&session, options) && session_grade(&session, options->submission, &report) &&
-        write_evidence(&report, options->output) && report_print(&report, options->format, stdout))
+    if (ok && add_labs(&session, &settings->labs) && session_grade(&session, command->submission, &report) &&
+        write_evidence(&report, command->output) && report_print(&report, command->format, stdout))
         status = all_passed(&report) ? EXIT_ALL_PASSED : EXIT_NOT_ALL;
     else
         fprintf(stderr, "grade: could not grade: %s\n", check_message());
-    if (options->record && status != EXIT_COULD_NOT)
+    if (command->record && status != EXIT_COULD_NOT)
         record(&report);
     session_free(&report);
     session_close(&session);
@@ -71,18 +186,26 @@ static int grade_submission(Options *options) {
     return status;
 }
 
-int main(int count, char **arguments) {
-    static Options options;
-    if (!options_parse(&options, count, arguments)) {
-        fprintf(stderr, "grade: %s\n%s", check_message(), options_usage);
-        return EXIT_USAGE;
-    }
-    signal(SIGPIPE, SIG_IGN);
-    if (!options.seeded && !exam_file_draw_seed(&options.grade.seed)) {
+static int grade(GradeCommand *command) {
+    ClassSettings *class = &command->class;
+    if (!class->seeded && !exam_file_draw_seed(&class->seed)) {
         fprintf(stderr, "grade: %s\n", check_message());
         return EXIT_COULD_NOT;
     }
-    int status = options.class_folder ? class_run(&options) : grade_submission(&options);
-    free(options.only);
+    if (!class->folder)
+        return grade_submission(command);
+    return class_run(class) ? EXIT_ALL_PASSED : EXIT_COULD_NOT;
+}
+
+int main(int count, char **arguments) {
+    static GradeCommand command = {.class.seconds = 20};
+    if (!option_context_of_environment(&command.class.context)) {
+        command_line_complain(&command_line, check_message());
+        return EXIT_USAGE;
+    }
+    command_line_take(&command_line, &command, count, arguments);
+    signal(SIGPIPE, SIG_IGN);
+    const int status = grade(&command);
+    free(command.class.only);
     return status;
 }

@@ -1,15 +1,18 @@
-// prove [--lab NN]... [--seeds N] [--context C]: proves a rubric. Over N seeds it draws, for each lab, the
+// prove: proves a rubric. Over N seeds it draws, for each lab, the
 // solution, the skeleton, the lab solved up to each task, each catalogued mistake and each alternative,
-// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 1 when one
-// of them is not graded as it should be: solution and alternatives 100 %, skeleton 0 on every check, no task
-// takes points away, mistakes below the pass mark and named correctly. `N passed, N failed` counts rows.
+// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 3 when
+// something of ours cannot be drawn, else 1 when one of them is not graded as it should be: solution and
+// alternatives 100 %, skeleton 0 on every check, no task takes points away, mistakes below the pass mark and
+// named correctly. `N passed, N failed` counts rows.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "grade/grade_lab.h"
 #include "diagnose/diagnose.h"
+#include "base/command_line.h"
+#include "base/option_values.h"
 #include "base/places.h"
 #include "score/score.h"
 
-#include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -182,7 +185,7 @@ static bool run_row(ProofRow *row, Exam *exam, Painters *painters) {
 
 // One row a task that a check is about, solved up to it.
 static int list_partials(ProofRow *rows, int count, const Rubric *rubric) {
-    for (int n = 1; n < 20; n++) {
+    for (int n = 1; n < EXAM_MAX_TASKS; n++) {
         const char *task = rubric_task(rubric, n);
         if (task)
             rows[count] = (ProofRow){.kind = KIND_PARTIAL,
@@ -244,7 +247,7 @@ static bool prove_seeds(const Rubric *rubric, Proof *proof, ProofRow *rows, int 
 
 static void prove_lab(const char *id, void *context) {
     Proof *proof = context;
-    static ProofRow rows[128];
+    static ProofRow rows[EXAM_MAX_PAINTERS];
     char folder[FILES_PATH];
     Rubric rubric = {0};
     if (proof->broken)
@@ -262,37 +265,44 @@ static void prove_lab(const char *id, void *context) {
     proof->broken = !ok;
 }
 
+typedef struct ProveCommand {
+    LabList labs;
+    int seeds;
+    ContextKind context;
+} ProveCommand;
+
+static bool take_seeds(void *target, const char *text) {
+    return option_whole(target, text, 1, MAX_SEEDS);
+}
+
+static const Option options[] = {
+    {"lab", 0, "NN", "only this lab; may be repeated", offsetof(ProveCommand, labs), option_labs},
+    {"seeds", 0, "N", "so many, from seed 1 on (default 10)", offsetof(ProveCommand, seeds), take_seeds},
+    {"context", 0, "C", "osmesa (default) or egl", offsetof(ProveCommand, context), option_context},
+    {0}};
+
+static const CommandLine command_line = {
+    .program = "prove",
+    .forms = "[options]",
+    .about = "Proves the rubrics: grades what we know the grades of, and prints a table.\n",
+    .options = options,
+    .ending = "exit status: 0 all is graded as it should be, 1 not all, 2 usage\n",
+};
+
 int main(int count, char **arguments) {
-    static const struct option table[] = {{"lab", required_argument, NULL, 'l'},
-                                          {"seeds", required_argument, NULL, 's'},
-                                          {"context", required_argument, NULL, 'c'},
-                                          {0}};
-    Proof proof = {.seeds = 10};
-    const char *labs[RESULT_MAX_LABS];
-    int lab_count = 0;
-    bool ok = true;
-    for (int option; ok && (option = getopt_long(count, arguments, "", table, NULL)) != -1;) {
-        ok = option != '?' && (option != 'c' || context_parse(&proof.context, optarg));
-        if (option == 's')
-            proof.seeds = atoi(optarg);
-        if (option == 'l' && lab_count < RESULT_MAX_LABS)
-            labs[lab_count++] = optarg;
-    }
-    if (!ok || optind != count || proof.seeds < 1 || proof.seeds > MAX_SEEDS) {
-        fprintf(stderr, "usage: build/prove [--lab NN]... [--seeds 1..%d] [--context osmesa|egl]\n",
-                MAX_SEEDS);
-        return 2;
-    }
+    ProveCommand command = {.seeds = 10};
+    command_line_take(&command_line, &command, count, arguments);
+    Proof proof = {.seeds = command.seeds, .context = command.context};
     signal(SIGPIPE, SIG_IGN);
     printf(
         "| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
         proof.seeds);
-    if (lab_count == 0)
-        places_list_labs(prove_lab, &proof);
-    for (int i = 0; i < lab_count; i++)
-        prove_lab(labs[i], &proof);
+    if (command.labs.count == 0)
+        proof.broken = !places_list_labs(prove_lab, &proof) || proof.broken;
+    for (int i = 0; i < command.labs.count; i++)
+        prove_lab(command.labs.ids[i], &proof);
     if (proof.broken)
         fprintf(stderr, "prove: %s\n", check_message());
     printf("%d passed, %d failed\n", proof.passed, proof.failed + proof.broken);
-    return proof.broken || proof.failed ? 1 : 0;
+    return proof.broken ? 3 : proof.failed > 0;
 }

@@ -1,12 +1,13 @@
-// record [--lab NN] OUTPUT SEED...: records the exams of all labs (or one) for these seeds, for the student's
-// kit (see recorded.h): what is drawn, the rubrics, the hints, and the mistakes' names and hints, but nothing
-// of how they are made.
+// record_exams: records the exams of all labs (or one) for some seeds, for the student's
+// kit (see exam/exam_file.h): what is drawn, the rubrics, the hints, and the mistakes' names and hints, but
+// nothing of how they are made.
 #include "scene/check.h"
 #include "exam/lab_exam.h"
+#include "base/command_line.h"
+#include "base/option_values.h"
 #include "base/places.h"
 #include "exam/exam_file.h"
 
-#include <ctype.h>
 #include <jansson.h>
 #include <signal.h>
 #include <stdio.h>
@@ -73,32 +74,55 @@ static json_t *list_seeds(char **seeds) {
     return list;
 }
 
-static bool are_numbers(char **texts) {
-    for (; *texts; texts++)
-        if (strspn(*texts, "0123456789") != strlen(*texts) || !**texts)
-            return false;
-    return true;
+typedef struct RecordCommand {
+    char lab[3]; // "": all
+    const char *output;
+    char **seeds;
+} RecordCommand;
+
+static const Option options[] = {{"lab", 0, "NN", "only this lab", offsetof(RecordCommand, lab), option_lab},
+                                 {0}};
+
+static bool check(void *settings, const Operands *operands) {
+    RecordCommand *command = settings;
+    uint64_t seed;
+    command->output = operands->texts[0];
+    command->seeds = operands->texts + 1;
+    for (int i = 1; i < operands->count; i++)
+        if (!option_seed(&seed, operands->texts[i])) {
+            check_clear();
+            return check_fail("a SEED is a whole number from 0 to 2^64 - 1, not \"%s\"", operands->texts[i]);
+        }
+    return operands->count > 1 || check_fail("give at least one SEED");
 }
 
-static bool record_all(const char *lab, const char *output, char **seeds) {
-    Recording recording = {output, seeds, true};
-    if (lab)
-        record_lab(lab, &recording);
+static const CommandLine command_line = {
+    .program = "record_exams",
+    .forms = "[--lab NN] OUTPUT SEED...",
+    .about =
+        "Records in the folder OUTPUT what the labs' solutions draw for each SEED, for the students' kit.\n",
+    .options = options,
+    .operand = "OUTPUT",
+    .least = 1,
+    .most = 1000,
+    .check = check,
+};
+
+static bool record_all(const RecordCommand *command) {
+    Recording recording = {command->output, command->seeds, true};
+    if (command->lab[0])
+        record_lab(command->lab, &recording);
     else if (!places_list_labs(record_lab, &recording))
         return false;
-    return recording.ok && write_json(output, "seeds.json", list_seeds(seeds));
+    return recording.ok && write_json(command->output, "seeds.json", list_seeds(command->seeds));
 }
 
 int main(int count, char **arguments) {
-    bool one = count > 2 && strcmp(arguments[1], "--lab") == 0;
-    int first = one ? 3 : 1;
-    if (count < first + 2 || !are_numbers(arguments + first + 1)) {
-        fputs("usage: build/record_exams [--lab NN] OUTPUT SEED...\n", stderr);
-        return 2;
-    }
+    RecordCommand command = {0};
+    command_line_take(&command_line, &command, count, arguments);
     signal(SIGPIPE, SIG_IGN);
-    bool ok = record_all(one ? arguments[2] : NULL, arguments[first], arguments + first + 1);
+    bool ok = record_all(&command);
     if (!ok)
-        fprintf(stderr, "record: %s\n", check_message());
-    return ok ? 0 : 1;
+        fprintf(stderr, "record_exams: %s\n", check_message());
+    return ok ? 0 : 3;
 }

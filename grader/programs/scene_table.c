@@ -1,7 +1,9 @@
-// scenes: what each lab's scenes are made of, and how much the graded views need it; prints a table
+// scene_table: what each lab's scenes are made of, and how much the graded views need it; prints a table
 // (Markdown, for grader/README.md).
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "proof/scene_needs.h"
+#include "base/command_line.h"
 #include "base/places.h"
 
 #include <signal.h>
@@ -34,18 +36,23 @@ static void print_lab(const char *id, void *context) {
     rubric_destroy(&rubric);
 }
 
+static const CommandLine command_line = {
+    .program = "scene_table",
+    .forms = "",
+    .about =
+        "Prints what each lab's scenes are made of, and how much the graded views need it, as a table.\n",
+    .options = (const Option[]){{0}},
+};
+
 int main(int count, char **arguments) {
     SceneTable table = {0};
+    command_line_take(&command_line, NULL, count, arguments);
     signal(SIGPIPE, SIG_IGN);
-    if (count != 1) {
-        fprintf(stderr, "usage: %s\n", arguments[0]);
-        return 2;
-    }
     printf("| lab | scene | planes | boxes | spheres | triangles | least need, %% |\n");
     printf("|---|---|---|---|---|---|---|\n");
-    places_list_labs(print_lab, &table);
+    table.broken = !places_list_labs(print_lab, &table) || table.broken;
     worker_client_stop(&table.worker);
     if (table.broken)
-        fprintf(stderr, "scenes: %s\n", check_message());
-    return table.broken ? 1 : 0;
+        fprintf(stderr, "scene_table: %s\n", check_message());
+    return table.broken ? 3 : 0;
 }

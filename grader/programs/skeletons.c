@@ -1,8 +1,11 @@
-// skeletons OUTPUT [TASK]: writes the labs for students, made from solutions/: each source with every task
-// left to do (or solved up to TASK, "3.5"), the handout and its pictures, and nothing else: sources that the
-// rubric does not list are the grader's. What is unchanged is not rewritten.
+// skeletons: writes the labs for students, made from solutions/: each source with every task left to do (or
+// solved up to TASK, "3.5"), the handout and its pictures, and nothing else: sources that the rubric does not
+// list are the grader's. What is unchanged is not rewritten.
 #include "scene/check.h"
 #include "compile/lab_folder.h"
+#include "base/command_line.h"
+#include "base/option_values.h"
+#include "compile/rubric_file.h"
 #include "base/places.h"
 
 #include <stdio.h>
@@ -70,14 +73,33 @@ static void write_lab(const char *id, void *context) {
     rubric_destroy(&writer->rubric);
 }
 
+static bool check(void *settings, const Operands *operands) {
+    SkeletonWriter *writer = settings;
+    const char *task = operands->texts[1];
+    writer->output = operands->texts[0];
+    writer->solved = operands->count == 2 ? (Solved){SOLVED_UP_TO, task} : (Solved){SOLVED_NONE, NULL};
+    if (operands->count < 2 || option_task(&task, task))
+        return true;
+    check_clear();
+    return check_fail("TASK is a task like 3.2, not \"%s\"", operands->texts[1]);
+}
+
+static const CommandLine command_line = {
+    .program = "skeletons",
+    .forms = "OUTPUT [TASK]",
+    .about = "Makes the labs for students from solutions/, in the folder OUTPUT: with nothing solved, or all "
+             "up to TASK,\n"
+             "for instance 3.5.\n",
+    .options = (const Option[]){{0}},
+    .operand = "OUTPUT",
+    .least = 1,
+    .most = 2,
+    .check = check,
+};
+
 int main(int count, char **arguments) {
     static SkeletonWriter writer = {.ok = true};
-    if (count != 2 && count != 3) {
-        fprintf(stderr, "usage: build/skeletons OUTPUT [TASK] (see `make skeletons`)\n");
-        return 2;
-    }
-    writer.output = arguments[1];
-    writer.solved = count == 3 ? (Solved){SOLVED_UP_TO, arguments[2]} : (Solved){SOLVED_NONE, NULL};
+    command_line_take(&command_line, &writer, count, arguments);
     writer.ok = places_list_labs(write_lab, &writer) && writer.ok;
     if (!writer.ok)
         fprintf(stderr, "skeletons: %s\n", check_message());

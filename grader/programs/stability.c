@@ -1,83 +1,79 @@
 // stability: where each method breaks. Runs the rows, prints a line for each, and writes what they found.
 #include "scene/check.h"
+#include "base/command_line.h"
 #include "base/files.h"
+#include "base/option_values.h"
 #include "base/places.h"
 #include "stability/plot.h"
 #include "stability/row_json.h"
 #include "stability/suite_html.h"
 
-#include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char usage[] =
-    "usage: build/stability [options]\n"
-    "  --row N            only this row; may be repeated\n"
-    "  --output DIR       writes stability.json, .html and the figures (default build/study)\n"
-    "  --mistake NN:NAME  lab NN is drawn with a mistake of its mistakes.json\n";
-
-typedef struct Options {
+typedef struct StabilityCommand {
     const Row *rows[ROW_MOST]; // all, in order
     bool chosen[ROW_MOST];
     int row_count;
-    char output[FILES_PATH];
+    const char *output;
+    char fault_lab[3];
     LabSet labs;
-} Options;
+} StabilityCommand;
 
-static bool take_row(Options *options, const char *text) {
-    char numbers[1024] = "", *end;
-    long number = strtol(text, &end, 10);
+static bool take_row(void *target, const char *text) {
+    StabilityCommand *command = target;
+    char numbers[1024] = "";
+    int number = -1;
     bool found = false;
-    for (int i = 0; i < options->row_count; i++) {
-        bool this_one = end != text && !*end && options->rows[i]->number == number;
-        options->chosen[i] = options->chosen[i] || this_one;
-        found = found || this_one;
-        check_append(numbers, sizeof numbers, "%s%d", i ? ", " : "", options->rows[i]->number);
+    if (!option_whole(&number, text, 0, 9999))
+        check_clear();
+    for (int i = 0; i < command->row_count; i++) {
+        const int own = command->rows[i]->number;
+        command->chosen[i] = command->chosen[i] || own == number;
+        found = found || own == number;
+        check_append(numbers, sizeof numbers, "%s%d", i ? ", " : "", own);
     }
-    return found || check_fail("--row takes the number of a row, not \"%s\"; the rows are %s", text, numbers);
+    return found || check_fail("takes the number of a row, not \"%s\"; the rows are %s", text, numbers);
 }
 
-static bool take_mistake(Options *options, char *text) {
-    char *colon = strchr(text, ':');
-    if (!colon)
-        return check_fail("--mistake takes NN:NAME, not \"%s\"", text);
-    *colon = '\0';
-    options->labs.fault_lab = text;
-    options->labs.fault = colon + 1;
+static bool take_mistake(void *target, const char *text) {
+    StabilityCommand *command = target;
+    const char *colon = strchr(text, ':');
+    char lab[8] = "";
+    if (!colon || colon == text || !colon[1])
+        return check_fail("takes NN:NAME, not \"%s\"", text);
+    snprintf(lab, sizeof lab, "%.*s", (int)(colon - text), text);
+    command->labs.fault_lab = command->fault_lab;
+    command->labs.fault = colon + 1;
+    return option_lab(command->fault_lab, lab);
+}
+
+static const Option options[] = {
+    {"row", 0, "N", "only this row; may be repeated", 0, take_row},
+    {"output", 0, "DIR", "writes stability.json, .html and the figures (default build/study)",
+     offsetof(StabilityCommand, output), option_text},
+    {"mistake", 0, "NN:NAME", "lab NN is drawn with a mistake of its mistakes.json", 0, take_mistake},
+    {0}};
+
+static bool check(void *settings, const Operands *operands) {
+    StabilityCommand *command = settings;
+    (void)operands;
+    if (memchr(command->chosen, true, sizeof command->chosen) == NULL)
+        memset(command->chosen, true, sizeof command->chosen);
     return true;
 }
 
-static bool take_option(Options *options, int option, char *value) {
-    switch (option) {
-    case 'r':
-        return take_row(options, value);
-    case 'm':
-        return take_mistake(options, value);
-    case 'o':
-        snprintf(options->output, sizeof options->output, "%s", value);
-        return true;
-    default:
-        return check_fail("unknown option, or one without its value");
-    }
-}
-
-static bool parse(Options *options, int count, char **arguments) {
-    static const struct option table[] = {{"row", required_argument, NULL, 'r'},
-                                          {"output", required_argument, NULL, 'o'},
-                                          {"mistake", required_argument, NULL, 'm'},
-                                          {0}};
-    places_build_path(options->output, "study");
-    options->row_count = row_list(options->rows);
-    opterr = 0;
-    for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;)
-        if (!take_option(options, option, optarg))
-            return false;
-    if (memchr(options->chosen, true, sizeof options->chosen) == NULL)
-        memset(options->chosen, true, sizeof options->chosen);
-    return optind == count || check_fail("\"%s\" is not an option", arguments[optind]);
-}
+static const CommandLine command_line = {
+    .program = "stability",
+    .forms = "[options]",
+    .about = "Shows where each method breaks: runs the rows, prints a line for each, and writes what they "
+             "found.\n",
+    .options = options,
+    .ending = "exit status: 0; 1 a row fails; 2 usage\n",
+    .check = check,
+};
 
 static void print_line(const RowResult *result) {
     printf("%2d  %-9s  %-22s ", result->row->number, row_status_name(result->status), result->row->name);
@@ -114,23 +110,23 @@ static bool write_page(const RowResult *results, int count, const char *folder) 
 }
 
 // The number of rows that ran; *failed is that of those that fail.
-static int run_rows(Options *options, RowResult *results, int *failed) {
+static int run_rows(StabilityCommand *command, RowResult *results, int *failed) {
     int count = 0;
     *failed = 0;
-    for (int i = 0; i < options->row_count; i++)
-        if (options->chosen[i]) {
-            row_run(&results[count], options->rows[i], &options->labs);
+    for (int i = 0; i < command->row_count; i++)
+        if (command->chosen[i]) {
+            row_run(&results[count], command->rows[i], &command->labs);
             print_line(&results[count]);
             *failed += results[count++].status == ROW_FAIL;
         }
-    lab_set_close(&options->labs);
+    lab_set_close(&command->labs);
     return count;
 }
 
-static int run(Options *options) {
+static int run(StabilityCommand *command) {
     static RowResult results[ROW_MOST];
-    int failed, count = run_rows(options, results, &failed);
-    const char *folder = options->output;
+    int failed, count = run_rows(command, results, &failed);
+    const char *folder = command->output;
     check_clear();
     bool ok = files_make_folder(folder) && write_json(results, count, folder) &&
               plot_all(results, count, folder) && write_page(results, count, folder);
@@ -144,11 +140,12 @@ static int run(Options *options) {
 }
 
 int main(int count, char **arguments) {
-    static Options options;
+    static StabilityCommand command;
+    char standard[FILES_PATH];
+    places_build_path(standard, "study");
+    command.output = standard;
+    command.row_count = row_list(command.rows);
+    command_line_take(&command_line, &command, count, arguments);
     signal(SIGPIPE, SIG_IGN);
-    if (!parse(&options, count, arguments)) {
-        fprintf(stderr, "stability: %s\n%s", check_message(), usage);
-        return 2;
-    }
-    return run(&options);
+    return run(&command);
 }

@@ -3,6 +3,7 @@
 // Answers the requests of protocol.h with the truth: what the visibility view of a lab would show if it were
 // right: the share of the scene's lights that reach a point; with VIEW_OCCLUSION, that of the sky.
 #include "scene/check.h"
+#include "base/command_line.h"
 #include "truth/metrics.h"
 #include "protocol/protocol.h"
 #include "base/pipe.h"
@@ -74,7 +75,18 @@ static bool answer(const Request *request, Reply *reply, void *payload) {
     return drawn;
 }
 
-int main(void) {
+static const CommandLine command_line = {
+    .program = "truth_worker",
+    .forms = "[CONTEXT FOLDER SHADERS]",
+    .about =
+        "Answers the window's requests with the truth. The window starts it; its operands do not matter.\n",
+    .options = (const Option[]){{0}},
+    .operand = "operand",
+    .most = 3,
+};
+
+int main(int count, char **arguments) {
+    command_line_take(&command_line, NULL, count, arguments);
     static Request request;
     static Reply reply;
     while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {

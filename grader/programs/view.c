@@ -1,6 +1,7 @@
 // view: opens a lab in a window. The lab draws in a worker, as when it is graded; the window shows its
 // pixels.
 #include "window/view_options.h"
+#include "base/command_line.h"
 #include "scene/check.h"
 #include "window/keys.h"
 #include "diagnose/result.h"
@@ -96,7 +97,7 @@ static bool is_at_split(double x) {
 
 // The pointer says that the split can be taken.
 static void show_pointer(bool at_split) {
-    static GLFWcursor *sideways; // freed by glfwTerminate
+    static GLFWcursor *sideways; // made at the first call, freed by glfwTerminate
     if (!sideways)
         sideways = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
     glfwSetCursor(view.window.handle, at_split ? sideways : NULL);
@@ -230,18 +231,12 @@ static bool run(void) {
 }
 
 int main(int count, char **arguments) {
+    view.options = (AppOptions){.seed = 1, .seconds = 10, .request = {.width = 800, .height = 600}};
+    command_line_take(&view_command_line, &view.options, count, arguments);
     signal(SIGPIPE, SIG_IGN);
     signal(SIGINT, on_signal);
     signal(SIGTERM, on_signal);
     signal(SIGHUP, on_signal);
-    if (!view_options_parse(&view.options, count, arguments)) {
-        fprintf(stderr, "view: %s\n%s", check_message(), arguments_usage);
-        return 2;
-    }
-    if (view.options.help) {
-        fputs(arguments_usage, stdout);
-        return 0;
-    }
     bool ok = run();
     if (check_message()[0])
         fprintf(stderr, "view: %s\n", check_message());

@@ -1,96 +1,67 @@
 // watch: grades a lab whenever one of its files is saved, and says what to do next. See grader/README.md.
 #include "base/file_watch.h"
 #include "scene/check.h"
+#include "base/command_line.h"
+#include "base/option_values.h"
 #include "base/places.h"
 #include "exam/exam_file.h"
 #include "watch/screens.h"
 #include "watch/terminal.h"
 #include "watch/viewer.h"
 
-#include <ctype.h>
-#include <errno.h>
-#include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-enum { EXIT_DONE, EXIT_OPEN, EXIT_USAGE, EXIT_FAULT, LOOK_EVERY = 100, PLAIN_WIDTH = 100 };
-
-static const char usage[] =
-    "usage: build/watch [options] [FOLDER]\n"
-    "  FOLDER       shaped like labs/ (default: labs)\n"
-    "  --lab NN     begin with this lab (default: the first that is not done)\n"
-    "  --seed N     of all gradings (default: drawn at the start, and kept)\n"
-    "  --context C  osmesa (default) or egl; also SHADOW_LAB_CONTEXT\n"
-    "  --list       print how far all labs are, and end\n"
-    "exit status: 0 or, without a terminal, 1 when the lab is not done; 2 usage, 3 a fault\n";
+enum { EXIT_DONE, EXIT_OPEN, EXIT_FAULT = 3, LOOK_EVERY = 100, PLAIN_WIDTH = 100 };
 
 typedef struct Watch {
     LabBoard board;
     GradingProcess bench;
     Viewer viewer;
-    FileWatch changes[RESULT_MAX_LABS];
+    FileWatch changes[COURSE_MAX_LABS];
     bool entered; // the lab on the desk has just come there, and is to be graded
     bool listing, dirty, end;
     int marked; // in the list
     bool color;
 } Watch;
 
-typedef struct Options {
-    const char *folder, *lab;
-    GradingOptions bench;
+typedef struct WatchCommand {
+    char folder[FILES_PATH], lab[3]; // "": the first that is not done
+    GradingOptions grading;
     bool list;
-} Options;
+} WatchCommand;
 
-static bool take_option(Options *options, int option, const char *value) {
-    char *end = "";
-    switch (option) {
-    case 'l':
-        options->lab = value;
-        return true;
-    case 's':
-        errno = 0;
-        options->bench.seed = strtoull(value, &end, 10);
-        return (isdigit((unsigned char)value[0]) && !*end && !errno) ||
-               check_fail("--seed takes a whole number, not \"%s\"", value);
-    case 'c':
-        return context_parse(&options->bench.context, value);
-    case 'p':
-        options->list = true;
-        return true;
-    default:
-        return check_fail("unknown option, or one without its value");
-    }
+#define AT(field) offsetof(WatchCommand, field)
+static const Option options[] = {
+    {"lab", 0, "NN", "begin with this lab (default: the first that is not done)", AT(lab), option_lab},
+    {"seed", 0, "N", "of all gradings (default: drawn at the start, and kept)", AT(grading.seed),
+     option_seed},
+    {"context", 0, "C", "osmesa (default) or egl; also SHADOW_LAB_CONTEXT", AT(grading.context),
+     option_context},
+    {"list", 0, NULL, "print how far all labs are, and end", AT(list), option_flag},
+    {0}};
+#undef AT
+
+static bool check(void *settings, const Operands *operands) {
+    WatchCommand *command = settings;
+    return operands->count == 0 || realpath(operands->texts[0], command->folder) ||
+           check_fail("%s is not a folder", operands->texts[0]);
 }
 
-static bool parse(Options *options, int count, char **arguments) {
-    static const struct option table[] = {
-        {"lab", required_argument, NULL, 'l'},     {"seed", required_argument, NULL, 's'},
-        {"context", required_argument, NULL, 'c'}, {"list", no_argument, NULL, 'p'},
-        {"help", no_argument, NULL, 'h'},          {0}};
-    static char labs[FILES_PATH];
-    const char *context = getenv("SHADOW_LAB_CONTEXT");
-    places_path(labs, "labs");
-    *options = (Options){.folder = labs, .bench.seconds = 20};
-    if (!exam_file_draw_seed(&options->bench.seed))
-        return false;
-    if (context && !context_parse(&options->bench.context, context))
-        return false;
-    opterr = 0;
-    for (int option; (option = getopt_long(count, arguments, "", table, NULL)) != -1;) {
-        if (option == 'h') {
-            fputs(usage, stdout);
-            exit(0);
-        }
-        if (!take_option(options, option, optarg))
-            return false;
-    }
-    if (optind < count && !realpath(arguments[optind], labs))
-        return check_fail("%s is not a folder", arguments[optind]);
-    return optind >= count - 1 || check_fail("give at most one FOLDER");
-}
+static const CommandLine command_line = {
+    .program = "watch",
+    .forms = "[options] [FOLDER]",
+    .about =
+        "Grades a lab whenever one of its files is saved. FOLDER is shaped like labs/ (default: labs).\n",
+    .options = options,
+    .ending = "exit status: 0 or, without a terminal, 1 when the lab is not done; 2 usage, 3 a fault\n",
+    .operand = "FOLDER",
+    .most = 1,
+    .check = check,
+};
 
 static void ask(Watch *watch) {
     watch->entered = false;
@@ -247,8 +218,8 @@ static void print_list(Watch *watch) {
         printf("\n%s\n", watch->board.message);
 }
 
-static int run(Watch *watch, const Options *options) {
-    if (options->list) {
+static int run(Watch *watch, const WatchCommand *command) {
+    if (command->list) {
         print_list(watch);
         return EXIT_DONE;
     }
@@ -268,24 +239,32 @@ static int run(Watch *watch, const Options *options) {
     return watch->board.verdict.fault ? EXIT_FAULT : watch->board.verdict.done ? EXIT_DONE : EXIT_OPEN;
 }
 
+static bool begin(WatchCommand *command) {
+    command->grading.seconds = 20;
+    places_path(command->folder, "labs");
+    return exam_file_draw_seed(&command->grading.seed) &&
+           option_context_of_environment(&command->grading.context);
+}
+
 int main(int count, char **arguments) {
     static Watch watch;
-    Options options;
-    if (!parse(&options, count, arguments)) {
-        fprintf(stderr, "watch: %s\n%s", check_message(), usage);
+    static WatchCommand command;
+    if (!begin(&command)) {
+        command_line_complain(&command_line, check_message());
         return EXIT_USAGE;
     }
+    command_line_take(&command_line, &command, count, arguments);
     signal(SIGPIPE, SIG_IGN);
-    if (!lab_board_create(&watch.board, options.folder, options.lab)) {
+    if (!lab_board_create(&watch.board, command.folder, command.lab[0] ? command.lab : NULL)) {
         fprintf(stderr, "watch: %s\n", check_message());
         lab_board_destroy(&watch.board);
-        return EXIT_USAGE;
+        return watch.board.current < 0 ? EXIT_USAGE : EXIT_FAULT;
     }
-    options.bench.folder = options.folder;
-    options.bench.rubrics = watch.board.rubrics;
-    watch.bench.options = options.bench;
+    command.grading.folder = command.folder;
+    command.grading.rubrics = watch.board.rubrics;
+    watch.bench.options = command.grading;
     watch.color = !getenv("NO_COLOR");
-    const int status = run(&watch, &options);
+    const int status = run(&watch, &command);
     grading_process_stop(&watch.bench);
     lab_board_destroy(&watch.board);
     return status;

@@ -6,3 +6,6 @@
 // Ends texts and replaces what is not printable ASCII by '?', limits counts to the arrays, gives a knob
 // without a finite, ordered range the range 0..0, and puts the default into the range.
 void description_clean(Description *description);
+
+// Ends the text of `size` bytes and replaces what is not printable ASCII by '?'.
+void description_clean_text(char *text, size_t size);

@@ -8,7 +8,9 @@
 #include <stdint.h>
 
 enum {
-    PROTOCOL_MAGIC = 0x31424c53,
+    PROTOCOL_MAGIC = 0x32424c53,
+    PROTOCOL_CRASHED =
+        0x58424c53,        // the magic of a worker's last Reply, as it dies by a signal; nothing follows
     PROTOCOL_REQUESTS = 0, // the worker's descriptors
     PROTOCOL_REPLIES = 3,
     PROTOCOL_MAX_SIZE = 4096, // width and height
@@ -50,6 +52,9 @@ typedef struct FrameFacts {
 typedef struct Reply {
     uint32_t magic;
     int32_t drawn; // 1: the pixels are the lab's; 0: they are black, and `message` says why
+    uint64_t
+        place; // where in lab.so the crash was, or the call of which `message` tells at its end; 0: unknown
+    char pass[LAB_MAX_NAME];            // of a crash: what ran
     float milliseconds[LAB_MAX_PASSES]; // CPU time of each pass
     FrameFacts facts;
     char message[PROTOCOL_TEXT]; // why it was not drawn, or the first GL error or check_fail of the frame
@@ -63,8 +68,11 @@ typedef struct Description {
     char title[PROTOCOL_LINE];
     struct KnobText {
         char name[LAB_MAX_NAME], unit[PROTOCOL_LINE];
-        float low, high, value; // value: the default
+        float low, high, value;                      // value: the default
+        char choices[LAB_MAX_CHOICES][LAB_MAX_NAME]; // of the values 0, 1, ..., choice_count - 1
+        int32_t choice_count;
     } knobs[LAB_MAX_KNOBS];
     char passes[LAB_MAX_PASSES][LAB_MAX_NAME], stages[LAB_MAX_STAGES][LAB_MAX_NAME];
+    int32_t pass_kinds[LAB_MAX_PASSES]; // PassKind
     int32_t knob_count, pass_count, stage_count;
 } Description;

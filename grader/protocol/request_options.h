@@ -1,10 +1,14 @@
-// Parts of a request from the command line.
+// Parts of a request from the command line: the `take` of an Option whose target is a Request (see
+// base/option_values.h).
 #pragma once
-
-#include "protocol/protocol.h"
 
 #include <stdbool.h>
 
-// "NAME=VALUE" and "WIDTHxHEIGHT"; false with a message for another text.
-bool request_take_knob(Request *request, const char *text);
-bool request_take_size(Request *request, const char *text);
+// "NAME=VALUE", one more knob.
+bool request_take_knob(void *request, const char *text);
+
+// "WIDTHxHEIGHT", up to PROTOCOL_MAX_SIZE.
+bool request_take_size(void *request, const char *text);
+
+// The name of a view.
+bool request_take_view(void *request, const char *text);

@@ -26,16 +26,13 @@ static void write_check(Page *page, const CheckResult *check) {
 }
 
 static void write_checks(Page *page, const LabResult *lab) {
-    fprintf(
-        page->out,
-        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Checks of lab "
-        "%s\"><table><thead><tr><th "
-        "scope=\"col\">result</th><th scope=\"col\">task</th><th scope=\"col\">check</th><th scope=\"col\" "
-        "class=\"number\">points</th><th scope=\"col\">what is wrong</th></tr></thead><tbody>\n",
-        lab->id);
+    char label[40];
+    snprintf(label, sizeof label, "Checks of lab %s", lab->id);
+    page_begin_table(page, label,
+                     (const char *const[]){"result", "task", "check", "#points", "what is wrong", NULL});
     for (int c = 0; c < lab->check_count; c++)
         write_check(page, &lab->checks[c]);
-    fputs("</tbody></table></div>\n", page->out);
+    page_end_table(page);
 }
 
 static void write_key(Page *page, int color) {

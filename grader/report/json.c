@@ -8,7 +8,8 @@ static double rounded(double value, double unit) {
 }
 
 static json_t *cause_json(const CheckResult *check) {
-    return check->has_cause ? json_pack("{s:s, s:s}", "mistake", check->mistake, "hint", check->hint)
+    return check->has_cause ? json_pack("{s:s, s:s, s:s}", "mistake", check->mistake, "kind", check->kind,
+                                        "hint", check->hint)
                             : json_null();
 }
 

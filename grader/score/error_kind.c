@@ -124,14 +124,18 @@ static const char *place(double x, double y) {
 }
 
 // Kinds that only say how the picture as a whole lies.
-static bool is_moved(char *text, size_t size, const Image *yours, const Image *reference, double wrong) {
+static const char *moved_kind(char *text, size_t size, const Image *yours, const Image *reference,
+                              double wrong) {
     int dx = 0, dy = 0;
-    if (wrong_when_moved(yours, reference, 0, 0, true) < REST * wrong)
+    if (wrong_when_moved(yours, reference, 0, 0, true) < REST * wrong) {
         check_append(text, size, "upside down");
-    else if (find_shift(yours, reference, wrong, &dx, &dy))
-        check_append(text, size, "shifted: right, but %d pixels to the %s and %d %s", abs(dx),
-                     dx > 0 ? "right" : "left", abs(dy), dy > 0 ? "down" : "up");
-    return text[0] != '\0';
+        return "upside down";
+    }
+    if (!find_shift(yours, reference, wrong, &dx, &dy))
+        return NULL;
+    check_append(text, size, "shifted: right, but %d pixels to the %s and %d %s", abs(dx),
+                 dx > 0 ? "right" : "left", abs(dy), dy > 0 ? "down" : "up");
+    return "shifted";
 }
 
 // Errors of one sign that leave the shape and change its size: the shadow grows or shrinks by some part of
@@ -149,35 +153,42 @@ static bool is_resized(char *text, size_t size, const Image *yours, const Image 
     return true;
 }
 
-void error_kind(char *text, size_t size, const Image *yours, const Image *reference) {
+// What is wrong with the shadows, by the share of the wrong pixels that have one sign.
+static const char *shadow_kind(const Tally *sum, double wrong, double pixels) {
+    if (sum->at_edges > (1 - REST / 2) * wrong)
+        return "edges only: right but for the edges";
+    if (wrong > pixels / 3 && fabs(sum->dark_change) > fabs(sum->light_change) / 2)
+        return sum->dark_change > 0 ? "ambient term: the shadows are too bright, too"
+                                    : "ambient term: the shadows are too dark, too";
+    if (sum->darker > (1 - REST) * wrong)
+        return "false shadow: too dark where light should be";
+    if (sum->lighter > (1 - REST) * wrong)
+        return "false light: too bright where shadow should be";
+    if (fmin(sum->darker, sum->lighter) > REST * wrong)
+        return "offset: the shadow has about its size but lies elsewhere";
+    return "another colour";
+}
+
+const char *error_kind(char *text, size_t size, const Image *yours, const Image *reference) {
     Tally sum = tally(yours, reference);
     double wrong = fmax(sum.darker + sum.lighter + sum.other, 1),
            pixels = (double)yours->width * yours->height;
     text[0] = '\0';
     if (error_kind_is_plain(yours)) {
         check_append(text, size, "nothing drawn: the whole picture has one colour");
-        return;
+        return "nothing drawn: the whole picture has one colour";
     }
-    if (is_moved(text, size, yours, reference, wrong))
-        return;
-    if (sum.at_edges > (1 - REST / 2) * wrong)
-        check_append(text, size, "edges only: right but for the edges");
-    else if (wrong > pixels / 3 && fabs(sum.dark_change) > fabs(sum.light_change) / 2)
-        check_append(text, size, "ambient term: the shadows are too %s, too",
-                     sum.dark_change > 0 ? "bright" : "dark");
-    else if (sum.darker > (1 - REST) * wrong)
-        check_append(text, size, "false shadow: too dark where light should be");
-    else if (sum.lighter > (1 - REST) * wrong)
-        check_append(text, size, "false light: too bright where shadow should be");
-    else if (fmin(sum.darker, sum.lighter) > REST * wrong)
-        check_append(text, size, "offset: the shadow has about its size but lies elsewhere");
-    else
-        check_append(text, size, "another colour");
+    const char *moved = moved_kind(text, size, yours, reference, wrong);
+    if (moved)
+        return moved;
+    const char *kind = shadow_kind(&sum, wrong, pixels);
     char resized[100] = "";
+    check_append(text, size, "%s", kind);
     if (is_resized(resized, sizeof resized, yours, reference, &sum))
         check_append(text, size, "; %s", resized);
     check_append(text, size,
                  "; %.0f %% of the picture (%.0f %% too dark, %.0f %% too bright), mostly at the %s",
                  fmax(100 * wrong / pixels, 1), 100 * sum.darker / pixels, 100 * sum.lighter / pixels,
                  place(sum.x, sum.y));
+    return kind;
 }

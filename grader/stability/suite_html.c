@@ -36,30 +36,25 @@ static void write_element(Page *page, const char *name, const char *text) {
 }
 
 static void write_summary(Page *page, const RowResult *results, int count) {
-    fputs("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"All rows\"><table><thead><tr><th "
-          "scope=\"col\" "
-          "class=\"number\">row</th><th scope=\"col\">name</th><th scope=\"col\">method</th><th "
-          "scope=\"col\">status</th>"
-          "<th scope=\"col\">its tightest curve</th><th scope=\"col\" class=\"number\">measured</th><th "
-          "scope=\"col\" "
-          "class=\"number\">expected</th></tr></thead><tbody>\n",
-          page->out);
+    page_begin_table(page, "All rows",
+                     (const char *const[]){"#row", "name", "method", "status", "its tightest curve",
+                                           "#measured", "#expected", NULL});
     for (int i = 0; i < count; i++) {
         const RowResult *result = &results[i];
         fprintf(page->out, "<tr><td class=\"number\">%d</td><td><a href=\"#row-%d\">", result->row->number,
                 result->row->number);
         page_text(page, result->row->name);
         fputs("</a></td>", page->out);
-        write_element(page, "td", result->row->method);
+        page_cell(page, result->row->method);
         fprintf(page->out, "<td class=\"%s state\">%s</td>", status_class(result->status),
                 status_words(result->status));
-        write_element(page, "td", result->curve ? result->curve->name : "–");
+        page_cell(page, result->curve ? result->curve->name : "–");
         write_cell(page, "", result->curve ? result->worst.measured : NAN);
         write_cell(page, result->curve ? curve_bound(result->curve) : "",
                    result->curve ? result->worst.expected : NAN);
         fputs("</tr>\n", page->out);
     }
-    fputs("</tbody></table></div>\n", page->out);
+    page_end_table(page);
 }
 
 static void write_points(Page *page, const Curve *curve) {
@@ -67,7 +62,7 @@ static void write_points(Page *page, const Curve *curve) {
     for (int i = 0; i < curve->count; i++) {
         const CurvePoint *point = &curve->points[i];
         fputs("<tr>", page->out);
-        write_element(page, "td", curve->name);
+        page_cell(page, curve->name);
         write_cell(page, "", point->x);
         write_cell(page, "", point->measured);
         write_cell(page, curve_bound(curve), level ? point->expected : NAN);
@@ -77,22 +72,17 @@ static void write_points(Page *page, const Curve *curve) {
 }
 
 static void write_numbers(Page *page, const Figure *figure) {
+    char x[ROW_TEXT], y[ROW_TEXT];
+    snprintf(x, sizeof x, "#%s", figure->x_label);
+    snprintf(y, sizeof y, "#%s", figure->y_label);
     fputs("<details><summary>The numbers: ", page->out);
     page_text(page, figure->title);
-    fputs("</summary><div class=\"wide\" tabindex=\"0\" role=\"region\" "
-          "aria-label=\"Numbers\"><table><thead><tr><th "
-          "scope=\"col\">curve</th><th scope=\"col\" class=\"number\">",
-          page->out);
-    page_text(page, figure->x_label);
-    fputs("</th><th scope=\"col\" class=\"number\">", page->out);
-    page_text(page, figure->y_label);
-    fputs("</th><th scope=\"col\" class=\"number\">expected</th><th scope=\"col\" "
-          "class=\"number\">tolerance</th></tr>"
-          "</thead><tbody>\n",
-          page->out);
+    fputs("</summary>", page->out);
+    page_begin_table(page, "Numbers", (const char *const[]){"curve", x, y, "#expected", "#tolerance", NULL});
     for (int c = 0; c < figure->count; c++)
         write_points(page, &figure->curves[c]);
-    fputs("</tbody></table></div></details>\n", page->out);
+    page_end_table(page);
+    fputs("</details>\n", page->out);
 }
 
 static void write_verdict(Page *page, const Curve *curve) {

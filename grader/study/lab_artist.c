@@ -1,10 +1,12 @@
 #include "study/lab_artist.h"
 
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "base/places.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 enum { SECONDS = 600 }; // that a submission may draw for a study
 
@@ -68,6 +70,20 @@ bool lab_artist_draw(LabArtist *artist, const Request *request, Image *image, Re
     if (!artist->painter)
         worker_client_draw(&artist->client, request, image, reply);
     return reply->drawn || check_fail("lab %s drew nothing: %s", artist->rubric.id, reply->message);
+}
+
+const int32_t *lab_artist_pass_kinds(LabArtist *artist) {
+    static Request request;
+    static Reply reply;
+    INVARIANT(artist->painter);
+    if (artist->table.pass_count > 0)
+        return artist->table.pass_kinds;
+    request = (Request){.magic = PROTOCOL_MAGIC, .width = 1, .height = 1};
+    memcpy(request.folder, artist->painter->folder, sizeof request.folder);
+    if (worker_client_describe(&artist->roster.client, &request, &artist->table, &reply) == DRAW_OK)
+        return artist->table.pass_kinds;
+    check_fail("lab %s does not tell its passes: %s", artist->rubric.id, reply.message);
+    return NULL;
 }
 
 void lab_artist_close(LabArtist *artist) {

@@ -10,6 +10,7 @@ typedef struct LabArtist {
     Painters roster;        // ours: the worker and what it draws with
     const Painter *painter; // ours: whom lab_artist_draw asks; NULL for a submission
     WorkerClient client;    // a submission's worker
+    Description table;      // ours: of the lab, once lab_artist_pass_kinds asked for it
 } LabArtist;
 
 // The solution of lab `id` ("05"). False with a message.
@@ -30,5 +31,9 @@ bool lab_artist_change(LabArtist *artist, const Change *change);
 
 // Draws; true when the picture is there. False with a message when the lab or its process failed.
 bool lab_artist_draw(LabArtist *artist, const Request *request, Image *image, Reply *reply);
+
+// What each pass of the solution is for (PassKind), LAB_MAX_PASSES of them. Ours only. NULL with a message
+// when the worker does not say.
+const int32_t *lab_artist_pass_kinds(LabArtist *artist);
 
 void lab_artist_close(LabArtist *artist); // accepts a zeroed artist

@@ -12,25 +12,19 @@
 
 enum { VERSION = 1, TURN = 3 }; // of what is measured; timed frames of a setting in a row
 
-// Which passes of a lab come before the picture and which make it, as bits; others only show something.
-typedef struct Passes {
-    const char *lab;
-    unsigned prepare, shade;
-} Passes;
-
-static const Passes all_passes[] = {{"03", 1, 2}, {"04", 1, 2},     {"05", 1, 2},
-                                    {"06", 1, 2}, {"07", 2, 1 | 4}, {"08", 1 | 2, 4}};
-
-static MeasuredTime sum_passes(const Finding *finding, const float *milliseconds) {
-    MeasuredTime time = {.key = finding->key};
-    const Passes *passes = all_passes;
-    while (strcmp(passes->lab, finding->method.lab) != 0)
-        passes++;
-    for (unsigned i = 0; i < LAB_MAX_PASSES; i++) {
-        time.prepare += passes->prepare >> i & 1 ? (double)milliseconds[i] : 0;
-        time.shade += passes->shade >> i & 1 ? (double)milliseconds[i] : 0;
+// Passes of the solution; those of a submission's table are the same ones.
+static bool sum_passes(StudyPlan *plan, const Finding *finding, const float *milliseconds,
+                       MeasuredTime *time) {
+    Method ours = finding->method;
+    ours.submission = false;
+    LabArtist *artist = lab_artists_get(&plan->artists, &ours);
+    const int32_t *kinds = artist ? lab_artist_pass_kinds(artist) : NULL;
+    *time = (MeasuredTime){.key = finding->key};
+    for (int i = 0; kinds && i < LAB_MAX_PASSES; i++) {
+        time->prepare += kinds[i] == PASS_PREPARE ? (double)milliseconds[i] : 0;
+        time->shade += kinds[i] == PASS_PICTURE ? (double)milliseconds[i] : 0;
     }
-    return time;
+    return kinds != NULL;
 }
 
 bool measure_concerns(const StudyScene *scene, const char *lab) {
@@ -141,8 +135,9 @@ static bool time_frame(StudyPlan *plan, const TruthView *truth_view, Finding *fi
     const Request request = truth_view_request(truth_view, &setting);
     if (!lab_artist_draw(lab_artists_get(&plan->artists, &finding->method), &request, &image, &reply))
         return false;
-    const MeasuredTime time = sum_passes(finding, reply.milliseconds);
-    return !counts || measurements_add_time(&plan->state, &time);
+    MeasuredTime time;
+    return sum_passes(plan, finding, reply.milliseconds, &time) &&
+           (!counts || measurements_add_time(&plan->state, &time));
 }
 
 // A setting's turn: its resources are made again, and the first frame, which touches them first, does not
@@ -155,7 +150,7 @@ static bool take_turn(StudyPlan *plan, const TruthView *truth_view, Finding *fin
     for (int i = 0; ok && i < TURN && finding->frames < plan->frames; i++) {
         ok = time_frame(plan, truth_view, finding, true);
         finding->frames++;
-        progress_bar_step(&plan->bar);
+        progress_bar_step(&plan->bar, NULL, false);
     }
     return ok || excuse(finding);
 }
@@ -212,10 +207,10 @@ static bool measure_ground(StudyPlan *plan, const TruthView *truth_view, SceneFi
         ok = find_errors(plan, truth_view, findings->scene, &findings->findings[i]);
     if (!ok)
         return false;
-    progress_bar_begin(&plan->bar, findings->scene->name, count_known(plan, findings),
-                       plan->frames * findings->count);
+    progress_bar_begin(&plan->bar, stderr, findings->scene->name, plan->frames * findings->count,
+                       count_known(plan, findings));
     ok = take_turns(plan, truth_view, findings);
-    progress_bar_end(&plan->bar);
+    fprintf(stderr, "%s: done in %.0f s\n", findings->scene->name, progress_bar_end(&plan->bar));
     if (ok)
         sum_up(plan, truth_view, findings);
     return ok;

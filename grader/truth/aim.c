@@ -28,7 +28,8 @@ static Aim aim_at_area(const TruthArea *area, vec2s place) {
 // `place` in [-1, 1]^2: where on a lamp with an extent.
 static Aim aim_at_light(const Light *light, vec2s place) {
     vec3s forward = glms_vec3_sub(light->target, light->position);
-    if (light->kind == LIGHT_DIRECTIONAL)
+    bool parallel = light->kind == LIGHT_DIRECTIONAL;
+    if (parallel)
         return (Aim){.kind = AIM_DIRECTION, .value = glms_vec3_negate(forward), .limit = INFINITY};
     TruthArea area = {.center = light->position};
     light_axes(light, &area.right, &area.up);

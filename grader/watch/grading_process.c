@@ -43,7 +43,7 @@ static void copy_check(VerdictCheck *to, const CheckResult *from) {
     snprintf(to->hint, sizeof to->hint, "%s", from->hint);
 }
 
-static void copy_result(Verdict *verdict, const LabResult *result) {
+static void copy_result(LabVerdict *verdict, const LabResult *result) {
     verdict->status = result->status;
     verdict->done = result_done(result);
     verdict->score = result->score;
@@ -55,7 +55,7 @@ static void copy_result(Verdict *verdict, const LabResult *result) {
         copy_check(&verdict->checks[c], &result->checks[c]);
 }
 
-static void grade(Verdict *verdict, Kept *kept, int lab, const GradingOptions *options) {
+static void grade(LabVerdict *verdict, Kept *kept, int lab, const GradingOptions *options) {
     static LabResult result;
     char folder[FILES_PATH];
     const GradeOptions how = {
@@ -94,7 +94,7 @@ static void warm_up(Kept *kept, int requests) {
 
 static _Noreturn void serve(const GradingOptions *options, const char *folder, int requests, int verdicts) {
     static Kept kept = {.lab = -1};
-    static Verdict verdict;
+    static LabVerdict verdict;
     int lab;
     terminal_forget();
     setenv("TMPDIR", folder, 1);

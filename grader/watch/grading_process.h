@@ -14,7 +14,7 @@ typedef struct VerdictCheck {
 } VerdictCheck;
 
 // The result of a lab without its pictures.
-typedef struct Verdict {
+typedef struct LabVerdict {
     int lab; // as it was asked for
     LabStatus status;
     bool done, fault; // fault: we could not grade, and message says why
@@ -22,7 +22,7 @@ typedef struct Verdict {
     char message[RESULT_TEXT], warnings[RESULT_TEXT];
     int check_count;
     VerdictCheck checks[RUBRIC_MAX_CHECKS];
-} Verdict;
+} LabVerdict;
 
 typedef struct GradingOptions {
     const char *folder; // shaped like labs/
@@ -38,7 +38,7 @@ typedef struct GradingProcess {
     bool busy;                   // a verdict is to come
     size_t taken;                // bytes of it
     char folder[FILES_PATH];     // for its temporary files, so that none stay when it is stopped
-    Verdict verdict;
+    LabVerdict verdict;
 } GradingProcess;
 
 // Asks for the grading of rubrics[lab]; starts the process when there is none. Only when not busy. False with

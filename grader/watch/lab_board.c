@@ -1,6 +1,7 @@
 #include "watch/lab_board.h"
 
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "base/places.h"
 #include "watch/todo.h"
 
@@ -12,8 +13,10 @@
 static void add_lab(const char *id, void *context) {
     LabBoard *board = context;
     char folder[FILES_PATH];
-    if (board->lab_count < RESULT_MAX_LABS && places_find_lab(folder, id) &&
-        rubric_load(&board->rubrics[board->lab_count], folder))
+    if (board->lab_count == COURSE_MAX_LABS)
+        check_fail("there are more than %d labs", COURSE_MAX_LABS);
+    else if (!check_message()[0] && places_find_lab(folder, id) &&
+             rubric_load(&board->rubrics[board->lab_count], folder))
         board->lab_count++;
 }
 
@@ -44,6 +47,7 @@ bool lab_board_create(LabBoard *board, const char *folder, const char *id) {
         return false;
     snprintf(board->message, sizeof board->message, "%s", board->progress.note);
     int lab = id ? find_lab(board, id) : 0;
+    board->current = lab;
     if (lab < 0)
         return check_fail("there is no lab \"%s\"; give two digits as in labs/, for instance LAB=02", id);
     lab_board_turn_to(board, lab);
@@ -75,7 +79,7 @@ void lab_board_lab_folder(const LabBoard *board, int lab, char folder[FILES_PATH
 static int task_number(const char *task) {
     const char *dot = strchr(task, '.');
     const int number = dot ? atoi(dot + 1) : 0;
-    return number < DESK_MAX_TASKS ? number : 0;
+    return number < EXAM_MAX_TASKS ? number : 0;
 }
 
 static bool find_todo(const LabBoard *board, const char *task, char *place, size_t size) {
@@ -94,7 +98,7 @@ static bool find_todo(const LabBoard *board, const char *task, char *place, size
 static void find_open_task(const LabBoard *board, Focus *focus) {
     char task[16], place[300];
     const int lab = atoi(board->rubrics[board->current].id), said = task_number(focus->task);
-    for (int n = 1; n < DESK_MAX_TASKS; n++) {
+    for (int n = 1; n < EXAM_MAX_TASKS; n++) {
         snprintf(task, sizeof task, "%d.%d", lab, n);
         if (!find_todo(board, task, place, sizeof place))
             continue;
@@ -126,14 +130,14 @@ static void find_focus(LabBoard *board) {
         find_todo(board, focus->task, focus->place, sizeof focus->place);
 }
 
-static bool record(LabBoard *board, const Verdict *verdict) {
+static bool record(LabBoard *board, const LabVerdict *verdict) {
     if (verdict->fault || verdict->status > LAB_FAILED) // it does not compile just now: that is no step back
         return true;
     return progress_record(&board->progress, board->rubrics[verdict->lab].id, verdict->score,
                            verdict->max_score, verdict->done);
 }
 
-bool lab_board_take(LabBoard *board, const Verdict *verdict) {
+bool lab_board_take(LabBoard *board, const LabVerdict *verdict) {
     if (!record(board, verdict))
         snprintf(board->message, sizeof board->message, "%s", check_message());
     check_clear();

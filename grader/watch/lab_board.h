@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { DESK_MAX_TASKS = 32, DESK_TEXT = 1000 };
+enum { DESK_TEXT = 1000 };
 
 // Where a student should look next.
 typedef struct Focus {
@@ -19,21 +19,23 @@ typedef struct Focus {
 
 typedef struct LabBoard {
     const char *folder; // shaped like labs/
-    Rubric rubrics[RESULT_MAX_LABS];
+    Rubric rubrics[COURSE_MAX_LABS];
     int lab_count;
     Progress progress;
     int current;   // the lab on the desk
     bool known;    // verdict and focus are there, and of this lab
     bool was_open; // an earlier verdict of this visit was not done
-    Verdict verdict;
+    LabVerdict verdict;
     double score_before; // the points before this verdict; -1 when there were none in this visit
     char clock[16];      // when the verdict came
     Focus focus;
-    int hints[RESULT_MAX_LABS][DESK_MAX_TASKS]; // of each task: how many are shown
+    int hints[COURSE_MAX_LABS][EXAM_MAX_TASKS]; // of each task: how many are shown
     char message[DESK_TEXT];                    // for the next screen
 } LabBoard;
 
 // Reads the rubrics and the progress; puts the lab "03" on the desk, or with NULL the first that is not done.
+// False with a message; then `current` is below 0 when there is no such lab, and 0 when something cannot be
+// read.
 bool lab_board_create(LabBoard *board, const char *folder, const char *id);
 void lab_board_destroy(LabBoard *board); // accepts a zeroed desk
 
@@ -45,7 +47,7 @@ int lab_board_next(const LabBoard *board);
 
 // Takes a verdict for a lab of the desk: records it and finds where to look. True when the current lab has
 // just been done.
-bool lab_board_take(LabBoard *board, const Verdict *verdict);
+bool lab_board_take(LabBoard *board, const LabVerdict *verdict);
 
 // The folder of a lab's files.
 void lab_board_lab_folder(const LabBoard *board, int lab, char folder[FILES_PATH]);

@@ -28,13 +28,13 @@ static void show_message(Sheet *sheet, const LabBoard *board) {
 }
 
 // Nothing could be drawn, so there are no points to show.
-static bool is_broken(const Verdict *verdict) {
+static bool is_broken(const LabVerdict *verdict) {
     return verdict->fault || verdict->status > LAB_FAILED;
 }
 
 static void show_title(Sheet *sheet, const LabBoard *board) {
     const Rubric *rubric = &board->rubrics[board->current];
-    const Verdict *verdict = &board->verdict;
+    const LabVerdict *verdict = &board->verdict;
     char bar[WIDE_BAR + 8], change[32] = "";
     if (!board->known || is_broken(verdict)) {
         sheet_line(sheet, STYLE_BOLD, "Lab %s: %s", rubric->id, rubric->title);
@@ -95,7 +95,7 @@ static void show_focus(Sheet *sheet, const LabBoard *board) {
 // What compiler, driver or worker say.
 static void show_words(Sheet *sheet, const LabBoard *board) {
     char folder[FILES_PATH];
-    const Verdict *verdict = &board->verdict;
+    const LabVerdict *verdict = &board->verdict;
     if (!verdict->message[0] && !verdict->warnings[0])
         return;
     lab_board_lab_folder(board, board->current, folder);

@@ -1,6 +1,7 @@
 #include "window/app.h"
 
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "base/places.h"
 #include "intake/submission.h"
 

@@ -15,7 +15,7 @@ typedef struct AppOptions {
     double quit_after, seconds; // 0: never; that a frame of mine may take
     Request request;            // size of the window in its own units, view and knobs
     ContextKind context;
-    bool help, against_truth, bare; // bare: without text
+    bool against_truth, bare; // bare: without text
 } AppOptions;
 
 typedef struct App {

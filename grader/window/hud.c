@@ -42,14 +42,15 @@ static void add_state(const App *app, Lines *lines) {
         add_knob(app, i, lines);
 }
 
-// "mine        12.3 ms  (shadow map 2.1, picture 10.2)": CPU times of the passes.
+// "mine        12.3 ms  (shadow map 2.1, picture 10.2)": CPU times of the passes; the sum is without those
+// that only show something.
 static void add_times(const App *app, FeedKind kind, Lines *lines) {
     const FeedNews *news = &app->news[kind];
     const Description *table = &news->description;
     char line[LINES_LENGTH] = "";
     float sum = 0;
     for (int i = 0; i < LAB_MAX_PASSES; i++)
-        sum += news->milliseconds[i];
+        sum += table->pass_kinds[i] == PASS_SHOW ? 0 : news->milliseconds[i];
     if (news->pictures == 0 || (kind == FEED_TRUTH && !view_state_needs_truth(&app->state)))
         return;
     check_append(line, sizeof line, "%-10s %6.1f ms", names[kind], (double)sum);

@@ -2,10 +2,8 @@
 
 #include "scene/check.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { SMALL_RANGE = 32, STEPS = 20, WIDE = 100, FINE = 10 };
@@ -42,22 +40,13 @@ float knob_step(const struct KnobText *knob, float value, int direction, bool fi
     return fminf(fmaxf(next, knob->low), knob->high);
 }
 
-void knob_choice(const struct KnobText *knob, float value, char *name, size_t size) {
-    name[0] = '\0';
-    for (const char *at = knob->unit; isdigit((unsigned char)*at);) {
-        char *end;
-        long number = strtol(at, &end, 10);
-        end += strspn(end, ": ");
-        size_t length = strcspn(end, ",");
-        if (number == lrintf(value))
-            snprintf(name, size, "%.*s", (int)length, end);
-        at = end + length + strspn(end + length, ", ");
-    }
+const char *knob_choice(const struct KnobText *knob, float value) {
+    long number = lrintf(value);
+    return number >= 0 && number < knob->choice_count ? knob->choices[number] : "";
 }
 
 void knob_text(const struct KnobText *knob, float value, char *text, size_t size) {
-    char choice[PROTOCOL_LINE];
-    knob_choice(knob, value, choice, sizeof choice);
+    const char *choice = knob_choice(knob, value);
     text[0] = '\0';
     if (choice[0])
         check_append(text, size, "%g: %s", (double)value, choice);

@@ -11,10 +11,8 @@
 // that.
 float knob_step(const struct KnobText *knob, float value, int direction, bool fine);
 
-// Does the unit name the values, as in "0: plain, 1: posterised"? Then the name of the nearest one is
-// written;
-// "" else.
-void knob_choice(const struct KnobText *knob, float value, char *name, size_t size);
+// The name of the choice nearest to the value; "" where it has none.
+const char *knob_choice(const struct KnobText *knob, float value);
 
 // "256 texels (16..2048)"; "4: faces (0..5)".
 void knob_text(const struct KnobText *knob, float value, char *text, size_t size);

@@ -1,10 +1,6 @@
-// The command line of build/view.
+// The command line of build/view; its settings are AppOptions.
 #pragma once
 
-#include "window/app.h"
+#include "base/option_table.h"
 
-// Reads the arguments; false with a message for what does not make sense.
-bool view_options_parse(AppOptions *options, int count, char **arguments);
-
-// What the program says of itself.
-extern const char arguments_usage[];
+extern const CommandLine view_command_line;

@@ -30,7 +30,8 @@ bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *re
 // Writes the lab's table; false with a message when there is none.
 bool loaded_lab_describe(const LoadedLab *hosted, Description *description);
 
-// The pass (or "create") that runs just now, for a report of a crash; NULL between frames.
+// The pass (or "create") that runs just now, for a report of a crash; "the lab" between frames. LAB_MAX_NAME
+// bytes.
 const char *loaded_lab_running(void);
 
 // Lets every lab free what it holds.

@@ -24,13 +24,13 @@ static struct {
     StageView stage_view;
 } worker;
 
+// Only what a handler may call: the record lies ready and is written as it is.
 static void report_crash(int number) {
-    char text[300] = "";
+    static Reply crash = {.magic = PROTOCOL_CRASHED};
     void *frames[32];
-    check_append(text, sizeof text, "in %s", loaded_lab_running() ? loaded_lab_running() : "the lab");
-    gl_append_caller(text, sizeof text, frames, backtrace(frames, 32));
-    ssize_t written = write(STDERR_FILENO, text, strlen(text));
-    (void)written;
+    memcpy(crash.pass, loaded_lab_running(), sizeof crash.pass);
+    crash.place = gl_caller(frames, backtrace(frames, 32));
+    pipe_write(PROTOCOL_REPLIES, &crash, sizeof crash);
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -41,7 +41,7 @@ static void watch_crashes(void) {
     backtrace(&frame, 1); // loads libgcc now, not inside the handler
     sigaltstack(&(stack_t){.ss_sp = stack, .ss_size = sizeof stack}, NULL);
     struct sigaction action = {.sa_handler = report_crash, .sa_flags = SA_ONSTACK | SA_RESETHAND};
-    const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+    const int signals[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU};
     for (unsigned i = 0; i < COUNT(signals); i++)
         sigaction(signals[i], &action, NULL);
 }
@@ -50,6 +50,7 @@ static void fill_reply(Reply *reply, bool drawn) {
     reply->magic = PROTOCOL_MAGIC;
     reply->drawn = drawn;
     snprintf(reply->message, sizeof reply->message, "%s", check_message());
+    reply->place = gl_error_place();
     if (gl_error()[0])
         check_append(reply->message, sizeof reply->message, "%s%s", reply->message[0] ? "; " : "",
                      gl_error());
@@ -104,7 +105,7 @@ int main(int count, char **arguments) {
     setvbuf(stdout, NULL, _IOLBF, 0); // what a lab prints is seen at once
     worker.lab_folder = arguments[2];
     worker.shader_folder = arguments[3];
-    shader_source_folders(".", worker.shader_folder);
+    shader_source_folders(worker.shader_folder, worker.shader_folder); // for our own
     worker.ready = start(arguments[1]);
     while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
         INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&

@@ -9,7 +9,7 @@
 
 // NULL when no RenderDoc was loaded into this process before it began.
 static RENDERDOC_API_1_0_0 *find_api(void) {
-    static RENDERDOC_API_1_0_0 *api;
+    static RENDERDOC_API_1_0_0 *api; // found at the first call
     static bool asked;
     void *library = asked ? NULL : dlopen("librenderdoc.so", RTLD_NOW | RTLD_NOLOAD);
     asked = true;

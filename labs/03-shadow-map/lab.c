@@ -63,7 +63,7 @@ const Lab lab = {
     .programs = {[PROGRAM_DEPTH] = {"scene.vert", "empty.frag", NULL},
                  [PROGRAM_SHADOW] = {"scene.vert", "shadow.frag", NULL}},
     .knobs = {[KNOB_MAP_SIZE] = {"map size", "texels", 64, 4096, 512}},
-    .passes = {{"shadow map", draw_map}, {"picture", draw_picture}},
+    .passes = {{"shadow map", draw_map, PASS_PREPARE}, {"picture", draw_picture}},
     .stages = {{"shadow map", &state.map_texture}},
     .create = create,
     .destroy = destroy,

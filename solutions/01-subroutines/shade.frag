@@ -2,10 +2,10 @@
 // The scene with its first light, shaded by functions that lab.c chooses at run time. Subroutine uniforms are
 // to GLSL what pointers to functions are to C: u_shade lights a point, u_finish changes how that is shown.
 //
-// From lighting.glsl: u_color, u_specular, u_shininess, u_ambient_light, u_lights[0].color, u_eye_world and
+// From lights.glsl: u_color, u_specular, u_shininess, u_ambient_light, u_lights[0].color, u_eye_world and
 // direction_to_light(0, position_world), the unit vector to the light. A v_normal_world may have any length.
 
-#include "lighting.glsl"
+#include "lights.glsl"
 
 in vec3 v_position_world;
 in vec3 v_normal_world;

@@ -16,6 +16,8 @@ static void test_description(void **unused) {
     memset(&bad, 'x', sizeof bad);
     bad.knob_count = 1 << 20;
     bad.pass_count = -5;
+    bad.pass_kinds[0] = PASS_SHOW, bad.pass_kinds[1] = -1, bad.pass_kinds[2] = 77;
+    bad.knobs[0].choice_count = -3, bad.knobs[1].choice_count = 1 << 20;
     bad.title[0] = '\033';
     bad.knobs[0].low = NAN;
     bad.knobs[1].low = 5, bad.knobs[1].high = 1;
@@ -26,6 +28,10 @@ static void test_description(void **unused) {
     assert_int_equal(strlen(bad.title), sizeof bad.title - 1);
     assert_true(bad.title[0] == '?');
     assert_int_equal(strlen(bad.stages[LAB_MAX_STAGES - 1]), LAB_MAX_NAME - 1);
+    assert_true(bad.pass_kinds[0] == PASS_SHOW && bad.pass_kinds[1] == PASS_PICTURE &&
+                bad.pass_kinds[2] == PASS_PICTURE);
+    assert_true(bad.knobs[0].choice_count == 0 && bad.knobs[1].choice_count == LAB_MAX_CHOICES);
+    assert_int_equal(strlen(bad.knobs[1].choices[LAB_MAX_CHOICES - 1]), LAB_MAX_NAME - 1);
     for (int i = 0; i < 2; i++)
         assert_true(bad.knobs[i].low == 0 && bad.knobs[i].high == 0 && bad.knobs[i].value == 0);
     assert_true(bad.knobs[2].value == 0 && bad.knobs[3].value == 1);

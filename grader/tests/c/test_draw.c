@@ -1,7 +1,5 @@
 // What varies from exam to exam, and what a rubric may ask to vary.
-#include "base/files.h"
 #include "exam/draw.h"
-#include "scene/check.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -79,44 +77,6 @@ static void test_same_seed(void **unused) {
     }
 }
 
-static bool takes(const char *knobs, const char *scene) {
-    char folder[FILES_PATH], path[FILES_PATH], text[1000] = "";
-    assert_true(files_make_temporary(folder));
-    check_append(text, sizeof text,
-                 "{\"title\": \"t\", \"pass_mark\": 95, \"files\": [\"a\"], \"checks\": [{\"name\": \"n\", "
-                 "\"task\": \"1.1\", \"view\": \"picture\", \"points\": 1, \"variants\": 1, \"scene\": %s, "
-                 "\"knobs\": {\"k\": %s}}]}",
-                 scene, knobs);
-    const char *const names[] = {"rubric.json", "mistakes.json", "alternatives.json", "hints.json"};
-    const char *const texts[] = {text, "[]", "[]", "{}"};
-    for (int i = 0; i < 4; i++) {
-        files_join(path, folder, names[i]);
-        assert_true(files_write(path, texts[i]));
-    }
-    Rubric read;
-    check_clear();
-    bool taken = rubric_load(&read, folder);
-    rubric_destroy(&read);
-    files_remove(folder);
-    return taken;
-}
-
-static void test_refusals(void **unused) {
-    (void)unused;
-    assert_true(takes("1", "\"a\"") && takes("[1, 2.5]", "[\"a\", \"b\"]") &&
-                takes("{\"from\": 1, \"to\": 2}", "\"a\""));
-    const char *const knobs[] = {
-        "\"1\"",         "[]",  "[1, \"2\"]", "[1, 2, 3, 4, 5, 6, 7]", "{\"from\": 2, \"to\": 1}",
-        "{\"from\": 2}", "true"};
-    for (size_t i = 0; i < sizeof knobs / sizeof knobs[0]; i++) {
-        assert_false(takes(knobs[i], "\"a\""));
-        assert_non_null(strstr(check_message(), "knob \"k\""));
-    }
-    assert_false(takes("1", "[]"));
-    assert_false(takes("1", "[1]"));
-    assert_false(takes("1", "7"));
-}
-
 static void assert_finite(mat4s matrix) {
     for (int i = 0; i < 16; i++)
         assert_true(isfinite(matrix.raw[i / 4][i % 4]));
@@ -146,7 +106,6 @@ static void test_overhead(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_sizes), cmocka_unit_test(test_knobs),
-                                       cmocka_unit_test(test_same_seed), cmocka_unit_test(test_refusals),
-                                       cmocka_unit_test(test_overhead)};
+                                       cmocka_unit_test(test_same_seed), cmocka_unit_test(test_overhead)};
     return cmocka_run_group_tests_name("draw", tests, NULL, NULL);
 }

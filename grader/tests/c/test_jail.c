@@ -170,7 +170,7 @@ static void test_tells_signals(void **route) {
 
 static char archives[FILES_PATH], opened[FILES_PATH];
 
-static bool extract(const char *name) {
+static Extracted extract(const char *name) {
     char path[FILES_PATH];
     files_join(path, archives, name);
     files_remove(opened);
@@ -194,7 +194,7 @@ static void test_opens_archives(void **route) {
     (void)route;
     NEEDS_ROUTE();
     for (unsigned i = 0; i < COUNT(good); i++) {
-        if (!extract(good[i]))
+        if (extract(good[i]) != EXTRACT_OK)
             fail_msg("%s: %s", good[i], check_message());
         assert_text("03-shadow-map/lab.c", "int a;\n");
         assert_text("03-shadow-map/shadow.frag", "void main() {}\n");
@@ -205,36 +205,39 @@ static void test_opens_archives(void **route) {
 static void test_refuses_archives(void **route) {
     static const struct {
         const char *name, *words;
-    } bad[] = {{"up.zip", "a path that leads out of it"},
-               {"up-inside.zip", "a path that leads out of it"},
-               {"absolute.zip", "a path that leads out of it"},
-               {"dot.zip", "no plain name"},
-               {"control.zip", "no plain name"},
-               {"twice.zip", "holds \"lab.c\" twice"},
-               {"file-and-folder.zip", "\"lab.c/lab.c\" cannot be made"},
-               {"symlink.zip", "\"lab.c\" is a link or a device"},
-               {"through-link.zip", "\"a\" is a link or a device"},
-               {"symlink.tar.gz", "\"lab.c\" is a link or a device"},
-               {"hardlink.tar.gz", "\"lab.c\" is a link or a device"},
-               {"fifo.tar.gz", "\"lab.c\" is a link or a device"},
-               {"device.tar.gz", "\"lab.c\" is a link or a device"},
-               {"large-file.zip", "more than 16 MiB in one file"},
-               {"large-sum.zip", "64 MiB in all"},
-               {"many.zip", "more than 4000 files"},
-               {"text.zip", "it is neither a .zip nor a .tar archive"},
-               {"empty.zip", ""},
-               {"cut.zip", ""},
-               {"flipped.zip", "CRC"},
-               {"missing.zip", "is not a file that can be read"}};
+    } bad[] = {
+        {"up.zip", "a path that leads out of it"},
+        {"up-inside.zip", "a path that leads out of it"},
+        {"absolute.zip", "a path that leads out of it"},
+        {"dot.zip", "no plain name"},
+        {"control.zip", "no plain name"},
+        {"twice.zip", "holds \"lab.c\" twice"},
+        {"file-and-folder.zip", "\"lab.c/lab.c\" cannot be made"},
+        {"symlink.zip", "\"lab.c\" is a link or a device"},
+        {"through-link.zip", "\"a\" is a link or a device"},
+        {"symlink.tar.gz", "\"lab.c\" is a link or a device"},
+        {"hardlink.tar.gz", "\"lab.c\" is a link or a device"},
+        {"fifo.tar.gz", "\"lab.c\" is a link or a device"},
+        {"device.tar.gz", "\"lab.c\" is a link or a device"},
+        {"large-file.zip", "more than 16 MiB in one file"},
+        {"large-sum.zip", "64 MiB in all"},
+        {"many.zip", "more than 4000 files"},
+        {"text.zip", "it is neither a .zip nor a .tar archive"},
+        {"empty.zip", ""},
+        {"cut.zip", ""},
+        {"flipped.zip", "CRC"},
+        {"messages.zip", "\"the archive cannot be read: No space left on device\" is a link or a device"}};
     (void)route;
     NEEDS_ROUTE();
     for (unsigned i = 0; i < COUNT(bad); i++) {
-        if (extract(bad[i].name))
-            fail_msg("%s is opened", bad[i].name);
-        if (!strstr(check_message(), bad[i].words) || !strstr(check_message(), bad[i].name))
+        if (extract(bad[i].name) != EXTRACT_BAD_ARCHIVE)
+            fail_msg("%s is opened, or a fault: %s", bad[i].name, check_message());
+        if (!strstr(check_message(), bad[i].words) || strncmp(check_message(), "the archive", 11) != 0)
             fail_msg("%s: no \"%s\" in: %s", bad[i].name, bad[i].words, check_message());
     }
     assert_false(files_exists("/tmp/shadow-lab-hostile"));
+    assert_int_equal(extract("missing.zip"), EXTRACT_FAULT);
+    assert_non_null(strstr(check_message(), "the archive cannot be read: No such file"));
 }
 
 static int make_archives(void **unused) {

@@ -1,10 +1,9 @@
-// The parts without GL: random numbers, meshes, scenes, shader files, rubrics and processes.
+// The parts without GL: random numbers, meshes, scenes, shader files and processes.
 #include "scene/check.h"
 #include "compile/compiler.h"
 #include "base/files.h"
 #include "base/process.h"
 #include "scene/random.h"
-#include "compile/rubric.h"
 #include "scene/scene.h"
 #include "scene/shader_source.h"
 
@@ -109,48 +108,6 @@ static void test_shader_files(void **unused) {
     files_remove(folder);
 }
 
-static void refuse_rubric(const char *folder, const char *rubric, const char *message) {
-    Rubric read;
-    write_file(folder, "rubric.json", rubric);
-    check_clear();
-    assert_false(rubric_load(&read, folder));
-    assert_non_null(strstr(check_message(), message));
-}
-
-static void test_rubric(void **unused) {
-    (void)unused;
-    char folder[FILES_PATH];
-    Rubric rubric;
-    check_clear();
-    assert_true(files_make_temporary(folder));
-    write_file(folder, "mistakes.json",
-               "[{\"name\": \"m\", \"edits\": [{\"file\": \"a\", \"find\": [\"x\", \"y\"], "
-               "\"replace\": \"z\"}]}]");
-    write_file(folder, "alternatives.json", "[]");
-    write_file(folder, "hints.json", "{\"3.1\": [\"first\", \"second\"]}");
-    refuse_rubric(folder, "{", "rubric.json:1:");
-    refuse_rubric(folder, "{\"title\": \"t\"}", "needs \"title\", \"pass_mark\" and \"checks\"");
-    refuse_rubric(folder, "{\"title\": \"t\", \"pass_mark\": 95, \"checks\": [{\"name\": \"c\"}]}",
-                  "entry 1 needs");
-    refuse_rubric(folder,
-                  "{\"title\": \"t\", \"pass_mark\": 95, \"files\": [\"../x\"], \"checks\": [{\"name\": "
-                  "\"c\", \"task\": "
-                  "\"3.1\", \"view\": \"picture\", \"scene\": \"s\", \"points\": 5, \"variants\": 3}]}",
-                  "plain names");
-    write_file(folder, "rubric.json",
-               "{\"title\": \"t\", \"pass_mark\": 95, \"files\": [\"lab.c\"], \"checks\": [{\"name\": \"c\", "
-               "\"task\": "
-               "\"3.1\", \"view\": \"picture\", \"scene\": \"s\", \"points\": 5, \"variants\": 3}]}");
-    check_clear();
-    assert_true(rubric_load(&rubric, folder));
-    assert_int_equal(rubric_points(&rubric), 5);
-    assert_string_equal(rubric.mistakes[0].edits[0].find, "x\ny");
-    assert_string_equal(rubric_hint(&rubric, "3.1", 1), "second");
-    assert_null(rubric_hint(&rubric, "3.1", 2));
-    rubric_destroy(&rubric);
-    files_remove(folder);
-}
-
 static Process *run(const char *script, const ProcessLimits *limits) {
     static Process process;
     char *arguments[] = {"sh", "-c", (char *)script, NULL}, *environment[] = {"PATH=/usr/bin:/bin", NULL};
@@ -205,9 +162,9 @@ static void test_precompiled(void **unused) {
 
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_precompiled), cmocka_unit_test(test_random),
-                                       cmocka_unit_test(test_meshes),      cmocka_unit_test(test_scenes),
-                                       cmocka_unit_test(test_rubric),      cmocka_unit_test(test_processes),
-                                       cmocka_unit_test(test_shader_files)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_precompiled), cmocka_unit_test(test_random),
+        cmocka_unit_test(test_meshes),      cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_processes),   cmocka_unit_test(test_shader_files)};
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }

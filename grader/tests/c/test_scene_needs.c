@@ -1,5 +1,6 @@
 // Every object of every scene is there for something that is graded, and what is not is found.
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 #include "proof/scene_needs.h"
 #include "base/places.h"
 

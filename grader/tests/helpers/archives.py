@@ -53,6 +53,7 @@ make_zip("symlink.zip", [(unix("lab.c", 0o120777), b"/etc/passwd")])
 make_zip("through-link.zip", [(unix("a", 0o120777), b"/tmp"), ("a/shadow-lab-hostile", LAB)])
 make_tar("symlink.tar.gz", [("lab.c", tarfile.SYMTYPE, "/etc/passwd")])
 make_tar("hardlink.tar.gz", [("a", tarfile.REGTYPE, LAB), ("lab.c", tarfile.LNKTYPE, "a")])
+make_tar("messages.zip", [("the archive cannot be read: No space left on device", tarfile.SYMTYPE, "there is not enough room")])
 make_tar("fifo.tar.gz", [("lab.c", tarfile.FIFOTYPE, "")])
 make_tar("device.tar.gz", [("lab.c", tarfile.CHRTYPE, "")])
 

@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "scene/check.h"
+#include "compile/rubric_file.h"
 
 Image witness_draw(const char *id, const Scene *scene, const char *view, int width, int height,
                    const WitnessKnob *knobs, int knob_count) {

@@ -44,13 +44,38 @@ expect unknown-lab 2 'there is no lab "99"'
 put crash '*(volatile int *)frame->width = 1;'
 case_ crash 1 "it crashed: Segmentation fault (SEGV) in shadow map (lab.c:"
 
+# The other checks go on in a new worker.
+put crash-now-and-then 'if (frame->scene->lights[0].kind == LIGHT_DIRECTIONAL) *(volatile int *)frame->width = 1;'
+case_ crash-now-and-then 1 "it crashed: Segmentation fault (SEGV) in shadow map (lab.c:" "ok    10.00/10  3.1" "ok    12.00/12  3.2" \
+    "FAIL   0.00/12  3.3" "ok     8.00/8   3.7"
+
+put exit-now-and-then 'if (frame->scene->lights[0].kind == LIGHT_DIRECTIONAL) exit(0);'
+case_ exit-now-and-then 1 "it ended by itself with exit status 0" "ok    10.00/10  3.1" "FAIL   0.00/12  3.3" "ok     8.00/8   3.7"
+
 put endless-recursion 'draw_map(frame);'
 case_ endless-recursion 1 "it crashed: Segmentation fault (SEGV) in shadow map"
+
+# What a lab prints is shown as its own, whatever it looks like; none of it is read.
+put prints-a-crash 'puts("it crashed in picture @0x1234@");'
+case_ prints-a-crash 0 "note: it printed:" "it crashed in picture @0x1234@" "100.00 of 100 points"
+
+put prints-and-crashes 'printf("in picture @0x1234@"); fflush(stdout); *(volatile int *)frame->width = 1;'
+case_ prints-and-crashes 1 "it crashed: Segmentation fault (SEGV) in shadow map (lab.c:" "in picture @0x1234@"
+grep -A1 "it printed:" <<<"$out" | tail -1 | grep -q "note: in picture @0x1234@$" && ok || bad "what a lab prints before its crash is shown as it is" "$out"
+
+put says-a-place 'check_fail("no map @0x1234@ (lab.c:1)");'
+case_ says-a-place 0 "note: no map @0x1234@ (lab.c:1)"
 
 limit=${QUICK:+12} limit=${limit:-3} # sanitizers are slow
 timeout=$limit
 put endless-loop 'for (;;) {}'
-case_ endless-loop 1 "it was stopped after $limit s: is there an endless loop?" ", timeout"
+case_ endless-loop 1 "it was stopped after $limit s in shadow map (lab.c:" "): is there an endless loop?" ", timeout"
+
+for where in create destroy; do
+    solved "endless-$where" >/dev/null
+    sed -i "/^static [a-z]* $where(/a for (;;) {}" "$work/endless-$where"/*/lab.c
+    case_ "endless-$where" 1 "it was stopped after $limit s in $where (lab.c:" ", timeout"
+done
 
 put sleeper 'sleep(1000);'
 case_ sleeper 1 "it was stopped after $limit s" ", timeout"
@@ -119,6 +144,34 @@ case_ wrong-uniform 0 "the uniform u_shadowmap is set but declared neither in sc
 solved short-uniform >/dev/null
 sed -i 's/"u_light_clip_from_world"/"u_light_clip"/' "$(c short-uniform)"
 case_ short-uniform 1 "the uniform u_light_clip is set but declared neither in scene.vert nor in shadow.frag"
+
+# What a lecturer wrote: one message and status 3, from every program that reads it.
+home=$work/home
+mkdir -p "$home/build" && cp -r "$root"/{common,shaders,solutions} "$home" && cp -r "$root/$BUILD"/{grade,frame,prove,watch,worker,include} "$home/build" && cp "$root/$BUILD"/jail_* "$home/build"
+rubric() { # FIND REPLACE: changes the rubric of the copy's lab 03
+    sed "s|$1|$2|" "$root"/solutions/03-*/rubric.json >"$home/solutions/03-shadow-map/rubric.json"
+}
+by() { status=0; out=$("$home/build/$1" "${@:2}" 2>&1) || status=$?; }
+entry='rubric.json: checks[0] "depth map: spot light": '
+rubric '"variants": 3' '"variants": 60'
+for command in "grade --lab 03 --seed 1 $root/labs" "prove --lab 03 --seeds 1" "watch --list" "frame --lab 03 --scene x $work/x.png"; do
+    by $command
+    expect "60 variants: $command" 3 "${entry}variants: 60 does not fit; write a whole number from 1 to 8"
+done
+rubric '"view": "shadow map"' '"view": "moon"'
+by grade --lab 03 --seed 1 "$root/labs"
+expect "a stage that is none" 3 "${entry}view: the lab has no stage \"moon\"; write one of \"picture\", \"visibility\", \"shadow map\""
+rubric '"map size": 256' '"map size": 99999'
+by grade --lab 03 --seed 1 "$root/labs"
+expect "a knob out of its range" 3 'rubric.json: checks[3] "map pass at another map size": knobs: "map size": 99999 is outside'
+rubric '"task": "3.1"' '"task": "3.30"'
+by grade --lab 03 --seed 1 "$root/labs"
+expect "a task without a check" 3 'mistakes.json: [0] "the size of the map is fixed": task: no check of rubric.json is about task "3.1"'
+rubric x x
+cp -r "$home"/solutions/03-shadow-map "$home/solutions/03-twice"
+by grade --seed 1 "$root/labs"
+expect "two labs of one number" 3 "solutions holds two folders of lab 03; rename one"
+rm -r "$home/solutions/03-twice"
 
 # None of them stops the grading of the other labs.
 for name in compile-error crash endless-loop missing-file; do

@@ -30,6 +30,25 @@ rows = list(csv.reader(open(sys.argv[1], newline="", encoding="utf-8")))
 assert all(len(row) == 4 for row in rows) and not any(cell[:1] in "=+-@\t\r" for row in rows for cell in row if cell)
 PYTHON
 
+# A name with a semicolon, and an archive that is called as a message of ours: names are names. A mistake is counted by its
+# kind, whole, also when its name has a semicolon.
+mkdir -p "$work/odd/semi; colon" && cp -r labs/03-shadow-map "$work/odd/semi; colon"
+printf 'no archive' >"$work/odd/the archive cannot be read; .zip"
+grades --class "$work/odd" --output "$work/odd-out" --lab 03
+expect "odd names" 0 "semi; colon: 0.00 of 100" "2 submissions, 0 not graded"
+grep -q '"the archive cannot be read; .zip",0.00,0.00,failed' "$work/odd-out/grades.csv" && ok || bad "a bad archive is a 0" "$(cat "$work/odd-out/grades.csv")"
+python3 - "$work/odd-out" <<'PYTHON'
+import glob, json, sys
+for path in glob.glob(sys.argv[1] + "/results/*.json"):
+    record = json.load(open(path))
+    for check in (record["report"] or {"labs": []})["labs"][0]["checks"] if record["report"] else []:
+        if check["cause"]:
+            check["cause"]["mistake"] = check["cause"]["kind"] = "first; second"
+    json.dump(record, open(path, "w"))
+PYTHON
+grades --class "$work/odd" --output "$work/odd-out" --gather
+grep -q '<td>first; second</td>' "$work/odd-out/index.html" && ok || bad "a mistake is cut at a semicolon" "$(grep -A3 'commonest' "$work/odd-out/index.html")"
+
 # Killed three times at random moments and resumed, by other numbers of processes: the same bytes.
 RANDOM=$seed
 grades_killed() { # SECONDS ARGUMENTS...
@@ -67,7 +86,7 @@ grades "${common[@]}" --output "$work/whole" --only "nobody"
 expect "nobody" 3 'holds no submission "nobody"'
 echo torn >"$work/whole/results/$(ls "$work/whole/results" | head -1)"
 grades "${common[@]}" --output "$work/whole" --resume
-expect "a torn record is made again" 0 "were graded before"
+expect "a torn record is made again" 0 "done before"
 cmp -s "$work/whole/grades.csv" "$work/killed/grades.csv" && ok || bad "after a torn record"
 usage() { local name=$1 text=$2; shift 2; grades "$@"; expect "$name" 2 "$text"; }
 usage "a class without OUT" "--class needs --output" --class "$class"

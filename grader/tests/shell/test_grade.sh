@@ -61,7 +61,7 @@ grades --lab 03 --seed 1 --output "$work/none" solutions
 # Usage.
 usage() { local name=$1 text=$2; shift 2; grades "$@"; expect "$name" 2 "$text" "usage: build/grade"; }
 usage "no submission" "give one SUBMISSION"
-usage "two submissions" "give one SUBMISSION" labs solutions
+usage "two submissions" '"solutions" is one operand too many' labs solutions
 usage "unknown option" "unknown option" --frobnicate labs
 usage "no such folder" "no-such-folder is not a folder" no-such-folder
 usage "bad seed" "--seed takes a whole number" --seed -1 labs

@@ -31,11 +31,11 @@ expect "two mistakes with one picture" 1 "WRONG:"
 with $three/alternatives.json 'j[:] = [dict(name="wrong", edits=[dict(file="shadow.frag", find="? 0.0 : 1.0", replace="? 1.0 : 0.0")])]' "${prove[@]}"
 expect "an alternative that is wrong" 1 "alternative | wrong" "WRONG: comparison: spot light"
 with $three/mistakes.json 'j[0]["edits"][0]["find"] = "no such text"' "${prove[@]}"
-expect "an edit without its text" 1 "stands there nowhere: no such text"
+expect "an edit without its text" 3 'mistakes.json: [0] "' "edits[0]: find: the text to replace stands in lab.c nowhere" "no such text"
 with $three/rubric.json 'j["checks"][0]["scene"] = "moon"' "${prove[@]}"
-expect "an unknown scene" 1 'there is no scene "moon"; the scenes are'
+expect "an unknown scene" 3 'rubric.json: checks[0] "depth map: spot light": scene: there is no scene "moon"; the scenes are'
 with $three/rubric.json 'j["checks"][0]["view"] = "moon"' "${prove[@]}"
-expect "an unknown stage" 1 'the lab has no stage "moon"'
+expect "an unknown stage" 3 'checks[0] "depth map: spot light": view: the lab has no stage "moon"'
 with $three/rubric.json 'j["checks"][6]["scene"] = "table sun"' build/grade --lab 03 --seed 1 labs
 expect "a check whose task does not show" 3 'check "lit outside the map": seed 1 gives only' "of 3 variants in which the task shows" "fix the rubric"
 
@@ -74,11 +74,11 @@ for n in 1 2; do echo "// again $n" >>labs/03-shadow-map/shadow.frag && runs gra
 runs grader/scripts/reset 03
 expect "reset of a skeleton" 0 "is the skeleton already"
 runs grader/scripts/reset 77
-expect "reset of no lab" 2 "which lab?"
+expect "reset of no lab" 2 'there is no lab "77"; there are 01, 02'
 runs grader/scripts/hint 3.2
 expect "hint" 0 "Hint 1 of 2 for task 3.2"
 runs grader/scripts/hint 3.77
-expect "hint of no task" 1 "has no task 3.77"
+expect "hint of no task" 2 "has no task 3.77; it has 3.1, 3.2"
 runs grader/scripts/hint
 expect "hint without a task" 2 "make hint TASK=3.2"
 runs common/setup --frobnicate

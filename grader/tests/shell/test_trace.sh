@@ -24,7 +24,7 @@ echo 'int x = ;' >>"$broken/03-shadow-map/lab.c"
 runs "${frame[@]}" --submission "$broken/03-shadow-map" "$work/c.png"
 expect "a lab that does not compile" 1 "lab.c does not compile" "expected expression"
 runs grader/scripts/trace 77
-expect "no such lab" 2 "which lab?"
+expect "no such lab" 2 'there is no lab "77"'
 runs env TOOL=crystal grader/scripts/trace 03
 expect "no such tool" 2 'not "crystal"'
 

@@ -1,4 +1,4 @@
-#include "class/pool.h"
+#include "base/pool.h"
 
 #include "scene/check.h"
 #include "base/process.h"
@@ -27,13 +27,13 @@ typedef struct Todo {
     int job, tries; // tries: those that failed
 } Todo;
 
-typedef struct Run {
+typedef struct PoolRun {
     const Pool *pool;
     Hand hands[MAX_PROCESSES];
     Todo *queue; // room for every try
     int next, end;
     int done, failed; // jobs, for giving up
-} Run;
+} PoolRun;
 
 static _Noreturn void serve(const Pool *pool, int socket, pid_t parent) {
     static Outcome outcome;
@@ -52,7 +52,7 @@ static _Noreturn void serve(const Pool *pool, int socket, pid_t parent) {
     _exit(0);
 }
 
-static bool start(Run *run, Hand *hand) {
+static bool start(PoolRun *run, Hand *hand) {
     int ends[2];
     pid_t parent = getpid();
     if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0)
@@ -75,7 +75,7 @@ static bool start(Run *run, Hand *hand) {
     return check_fail("no process: %s", strerror(errno));
 }
 
-static bool give(Run *run, Hand *hand) {
+static bool give(PoolRun *run, Hand *hand) {
     if (run->next == run->end || (hand->pid == 0 && !start(run, hand)))
         return run->next == run->end;
     const Todo *todo = &run->queue[run->next++];
@@ -88,7 +88,7 @@ static bool give(Run *run, Hand *hand) {
 }
 
 // Takes the outcome of a try: the end of the job, or it is put back at the end of the queue.
-static void settle(Run *run, Hand *hand, const Outcome *outcome) {
+static void settle(PoolRun *run, Hand *hand, const Outcome *outcome) {
     hand->job = -1;
     if (!outcome->done && ++hand->tries < run->pool->tries) {
         run->queue[run->end++] = (Todo){outcome->job, hand->tries};
@@ -108,7 +108,7 @@ static void bury(Hand *hand, int *status) {
 }
 
 // The process of this hand has ended or hangs.
-static void lose(Run *run, Hand *hand, bool late) {
+static void lose(PoolRun *run, Hand *hand, bool late) {
     static Outcome outcome;
     int status = 0, job = hand->job;
     if (late)
@@ -129,7 +129,7 @@ static void lose(Run *run, Hand *hand, bool late) {
     settle(run, hand, &outcome);
 }
 
-static void hear(Run *run, Hand *hand) {
+static void hear(PoolRun *run, Hand *hand) {
     static Outcome outcome;
     int status;
     if (recv(hand->socket, &outcome, sizeof outcome, 0) != sizeof outcome) {
@@ -141,7 +141,7 @@ static void hear(Run *run, Hand *hand) {
         bury(hand, &status);
 }
 
-static int wait_milliseconds(const Run *run) {
+static int wait_milliseconds(const PoolRun *run) {
     double first = process_now() + 3600;
     for (int i = 0; i < run->pool->processes; i++)
         if (run->hands[i].job >= 0 && run->hands[i].deadline < first)
@@ -151,7 +151,7 @@ static int wait_milliseconds(const Run *run) {
 }
 
 // Waits for something to happen, and sees to it. False when no hand is at work.
-static bool attend(Run *run) {
+static bool attend(PoolRun *run) {
     struct pollfd events[MAX_PROCESSES];
     int busy = 0;
     for (int i = 0; i < run->pool->processes; i++) {
@@ -172,22 +172,22 @@ static bool attend(Run *run) {
     return true;
 }
 
-static bool work_off(Run *run) {
+static bool work_off(PoolRun *run) {
     do {
         for (int i = 0; i < run->pool->processes; i++)
             if (run->hands[i].job < 0 && !give(run, &run->hands[i]))
                 return false;
         if (run->done == 0 && run->failed >= GIVE_UP)
-            return check_fail("%d submissions after another could not be graded", run->failed);
+            return check_fail("%d jobs after another could not be done", run->failed);
     } while (attend(run));
     return true;
 }
 
 bool pool_run(const Pool *pool, const int *jobs, int count) {
-    static Run run;
+    static PoolRun run;
     int status;
     INVARIANT(pool->processes <= MAX_PROCESSES);
-    run = (Run){.pool = pool, .queue = calloc((size_t)(count * pool->tries) + 1, sizeof *run.queue)};
+    run = (PoolRun){.pool = pool, .queue = calloc((size_t)(count * pool->tries) + 1, sizeof *run.queue)};
     INVARIANT(run.queue);
     for (int i = 0; i < count; i++)
         run.queue[run.end++] = (Todo){jobs[i], 0};

@@ -1,0 +1,110 @@
+#include "proof/trial.h"
+
+#include "compile/lab_folder.h"
+#include "grade/grade_lab.h"
+#include "scene/check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// Wall time of one check. Ours take hundredths of it, so that also a busy machine calls only loops endless.
+static const double CHECK_SECONDS = 10;
+
+bool court_open(Court *court, const Rubric *rubric) {
+    *court = (Court){.rubric = rubric};
+    for (int i = 0; i < rubric->file_count; i++) {
+        char path[FILES_PATH];
+        files_join(path, rubric->folder, rubric->files[i]);
+        court->texts[i] = files_read(path, DERIVE_MAX_FILE);
+        if (!court->texts[i])
+            return false;
+    }
+    return lab_folder_ours(court->solution, rubric, (Solved){SOLVED_ALL, NULL}, NULL);
+}
+
+void court_close(Court *court) {
+    for (int i = 0; i < RUBRIC_MAX_FILES; i++)
+        free(court->texts[i]);
+    *court = (Court){0};
+}
+
+static bool write_sources(const Court *court, const Mutant *mutant, const char *folder) {
+    bool ok = true;
+    for (int i = 0; ok && i < court->rubric->file_count; i++) {
+        char path[FILES_PATH];
+        char *changed = i == mutant->file ? mutant_apply(mutant, court->texts[i]) : NULL;
+        files_join(path, folder, court->rubric->files[i]);
+        ok = files_write(path, changed ? changed : court->texts[i]);
+        free(changed);
+    }
+    return ok;
+}
+
+static bool build(const Court *court, const char *sources, const char *folder, Verdict *verdict) {
+    static char log[COMPILE_LOG];
+    check_clear();
+    if (!lab_folder_again(folder, court->solution, court->rubric, sources, NULL, log)) {
+        *verdict = VERDICT_NOT_MADE;
+        return log[0] != '\0'; // gcc's words: else it is our fault
+    }
+    return true;
+}
+
+static bool is_of(const Check *check, const Mutant *mutant) {
+    return strcmp(check->task, mutant->task) == 0;
+}
+
+// The checks of the mutant's task, then all others, until one fails.
+static bool passes_all(LabResult *result, const Court *court, const Mutant *mutant, WorkerClient *worker) {
+    for (int others = 0; others < 2; others++)
+        for (int c = 0; c < result->check_count; c++)
+            if (is_of(result->checks[c].check, mutant) == !others) {
+                worker_client_begin(worker);
+                if (!grade_check(result, court->exam, worker, c) || result->message[0])
+                    return false;
+            }
+    return true;
+}
+
+static Verdict judge(const LabResult *result, bool passes) {
+    if (strstr(result->message, " does not compile:\n") || strstr(result->message, " do not link:\n"))
+        return VERDICT_NOT_MADE;
+    return passes ? VERDICT_SURVIVED : VERDICT_KILLED;
+}
+
+static void examine(const Court *court, const Mutant *mutant, const char *folder, Verdict *verdict,
+                    char told[TRIAL_TEXT]) {
+    static LabResult result;
+    static WorkerClient worker;
+    worker = (WorkerClient){.trust = TRUST_OURS,
+                            .context = court->exam->painters->context,
+                            .quick_shaders = true,
+                            .each_turn = true,
+                            .seconds = CHECK_SECONDS};
+    snprintf(worker.folder, sizeof worker.folder, "%s", folder);
+    grade_begin(&result, court->rubric);
+    const bool passes = passes_all(&result, court, mutant, &worker);
+    *verdict = judge(&result, passes);
+    snprintf(told, TRIAL_TEXT, "%.*s", TRIAL_TEXT - 1, result.warnings);
+    worker_client_stop(&worker);
+    result_destroy_lab(&result);
+}
+
+bool trial_run(const Court *court, const Mutant *mutant, Verdict *verdict, char told[TRIAL_TEXT]) {
+    char sources[FILES_PATH], folder[FILES_PATH];
+    *verdict = VERDICT_OPEN;
+    told[0] = '\0';
+    if (!files_make_temporary(sources))
+        return false;
+    if (!files_make_temporary(folder)) {
+        files_remove(sources);
+        return false;
+    }
+    const bool ok = write_sources(court, mutant, sources) && build(court, sources, folder, verdict);
+    if (ok && *verdict == VERDICT_OPEN)
+        examine(court, mutant, folder, verdict, told);
+    files_remove(sources);
+    files_remove(folder);
+    return ok;
+}
