@@ -18,6 +18,7 @@ typedef struct CheckResult {
     double error; // inside + outside of that variant (see score.h)
     int worst;    // that variant
     bool passed;  // all but a trace of the points
+    bool begun;   // of a submission: the TODO of its task is gone from the files
     FrameFacts facts[EXAM_MAX_VARIANTS];
     bool wrong_size,
         refused; // of the worst variant: its stage has not the reference's size; GL refused a call
