@@ -33,7 +33,7 @@ typedef struct CheckResult {
     Difference difference;          // the evidence's
 } CheckResult;
 
-enum { FAULT_PARTS = 3 };
+enum { FAULT_PARTS = 3, FAULT_TASKS = 4 };
 
 // A part of a submission that was exchanged.
 typedef struct FaultPart {
@@ -41,9 +41,10 @@ typedef struct FaultPart {
     char function[64]; // the student's name of it; "": all that stands outside of functions, or with `whole`
                        // the whole file
     bool whole;
-    char ours[64];        // our name of the function
-    char helpers[128];    // the student's own functions that it calls, "a, b"
-    const char *tasks[4]; // that are done there, the most likely first; all NULL in what was handed out
+    char ours[64];     // our name of the function
+    char helpers[128]; // the student's own functions that it calls, "a, b"
+    const char
+        *tasks[FAULT_TASKS]; // that are done there, the most likely first; all NULL in what was handed out
 } FaultPart;
 
 // With our parts in the place of these, `repaired` of the `failed` checks pass.

@@ -1,3 +1,5 @@
+// The way of one lab: take the files, compile, draw each check's variants, score them, diagnose, and give
+// warnings and the ratio of times.
 #include "grade/grade_lab.h"
 
 #include "grade/address.h"
@@ -237,6 +239,8 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     grade_frames(result, exam, student, exam->painters && !options->untimed);
     note_output(result, student->process.text);
     address_explain(result, student, exam->rubric);
+    if (options->early && !result_done(result))
+        options->early(result, options->early_context);
     return diagnose(result, exam, student, !options->no_swap) &&
            (!options->evidence || evidence_attach(result, exam));
 }
