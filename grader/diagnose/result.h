@@ -14,10 +14,12 @@ enum { EVIDENCE_YOURS, EVIDENCE_REFERENCE, EVIDENCE_DIFFERENCE, EVIDENCE_CROP, E
 
 typedef struct CheckResult {
     const Check *check;
-    double share; // of the points; the worst variant counts
-    double error; // inside + outside of that variant (see score.h)
-    int worst;    // that variant
-    bool passed;  // all but a trace of the points
+    double share;   // of the points; the worst variant counts
+    double error;   // inside + outside of that variant (see score.h)
+    int worst;      // that variant
+    bool passed;    // all but a trace of the points
+    bool otherwise; // ... by the pictures of an alternative that is "also right"
+    bool begun;     // of a submission: the TODO of its task is gone from the files
     FrameFacts facts[EXAM_MAX_VARIANTS];
     bool wrong_size,
         refused; // of the worst variant: its stage has not the reference's size; GL refused a call
