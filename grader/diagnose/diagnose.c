@@ -9,6 +9,7 @@
 #include "score/error_kind.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct Diagnosis {
@@ -75,7 +76,7 @@ static bool find_suspects(Diagnosis *this) {
     const Rubric *rubric = this->exam->rubric;
     const Fault *fault = &this->result->fault;
     for (int i = 0; i < fault->count; i++)
-        for (int k = 0; k < 4 && fault->parts[i].tasks[k]; k++)
+        for (int k = 0; k < FAULT_TASKS && fault->parts[i].tasks[k]; k++)
             among[rubric_task_index(rubric, fault->parts[i].tasks[k])] = any = true;
     for (int t = 0; fault->count == 0 && t < rubric->hint_count; t++)
         among[t] = !this->open.open[t];
@@ -89,6 +90,15 @@ static void describe_size(CheckResult *check, const Variant *variant) {
     snprintf(check->seen, sizeof check->seen, "the texture \"%s\" is %d x %d, and here it has to be %d x %d",
              check->check->view, yours->stage_width, yours->stage_height, ours->stage_width,
              ours->stage_height);
+}
+
+// The labs before the first shadow map have no shadows; stages are maps, atlases and counts.
+static ErrorView view_of(const CheckResult *check, const Rubric *rubric) {
+    const bool shadows = atoi(rubric->id) > 2;
+    if (shadows && strcmp(check->check->view, "picture") == 0)
+        return ERROR_VIEW_SHADED;
+    return shadows && strcmp(check->check->view, "visibility") == 0 ? ERROR_VIEW_VISIBILITY
+                                                                    : ERROR_VIEW_VALUES;
 }
 
 // What the picture shows, when it says something beside the cause.
@@ -108,7 +118,7 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
         snprintf(check->seen, sizeof check->seen, "the picture is that of the lab as it was handed out");
     else
         error_kind(check->seen, sizeof check->seen, &check->yours[check->worst],
-                   &exam->variants[c][check->worst].reference);
+                   &exam->variants[c][check->worst].reference, view_of(check, exam->rubric));
 }
 
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {
@@ -151,7 +161,7 @@ static void name_faults(Diagnosis *this) {
 bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, bool swap) {
     static Diagnosis this;
     this = (Diagnosis){.result = result, .exam = exam, .named = {-1, -1, false}};
-    open_tasks_find(&this.open, exam->rubric, student->folder);
+    open_tasks_find(&this.open, result, exam, student->folder);
     sort_checks(&this);
     if (!this.any_failed) {
         if (this.next)
