@@ -66,8 +66,10 @@ void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_worl
         set_light(program, &scene->lights[i], i);
 }
 
-static void draw_object(const Object *object, const Program *program) {
+void draw_object(const Frame *frame, const Program *program, int i) {
+    const Object *object = &frame->scene->objects[i];
     const Model *model = &models[object->shape];
+    glUniform1i(program_find(program, "u_object"), i);
     glUniformMatrix4fv(program_find(program, "u_world_from_object"), 1, GL_FALSE,
                        &object->world_from_object.raw[0][0]);
     glUniform3fv(program_find(program, "u_color"), 1, object->color.raw);
@@ -76,14 +78,12 @@ static void draw_object(const Object *object, const Program *program) {
     glUniform1i(program_find(program, "u_is_screen"), object->is_screen);
     glBindVertexArray(model->vertex_array);
     glDrawElements(GL_TRIANGLES, model->index_count, GL_UNSIGNED_INT, NULL);
+    glBindVertexArray(0);
 }
 
 void draw_objects(const Frame *frame, const Program *program) {
-    for (int i = 0; i < frame->scene->object_count; i++) {
-        glUniform1i(program_find(program, "u_object"), i);
-        draw_object(&frame->scene->objects[i], program);
-    }
-    glBindVertexArray(0);
+    for (int i = 0; i < frame->scene->object_count; i++)
+        draw_object(frame, program, i);
 }
 
 void draw_scene(const Frame *frame, const Program *program, mat4s clip_from_world, vec3s eye) {

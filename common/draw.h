@@ -41,6 +41,9 @@ void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_worl
 // u_specular, u_shininess, u_is_screen, u_object (its number).
 void draw_objects(const Frame *frame, const Program *program);
 
+// The same for object `i` of the scene alone.
+void draw_object(const Frame *frame, const Program *program, int i);
+
 // Draws one triangle that covers the viewport; for shaders/fullscreen.vert, which passes v_uv on. The caller
 // turns the depth test off where it is not wanted.
 void draw_fullscreen(const Program *program);

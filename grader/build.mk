@@ -41,7 +41,7 @@ WITNESSES := $(foreach file,$(call brought,witness),$(call witness,$(file)))
 # Shims that are weakened on purpose, and other programs of the tests.
 WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
 
-programs: $(BUILD)/worker $(INSIDE) $(PROGRAMS)
+programs: $(BUILD)/worker $(BUILD)/worker_address $(INSIDE) $(PROGRAMS)
 tests: $(TESTS) $(WITNESSES) hostile-programs
 hostile-programs: $(BUILD)/hostile $(BUILD)/without $(WEAK)
 .PHONY: programs tests hostile-programs always
@@ -102,6 +102,11 @@ $(BUILD)/given/exports: $(filter-out $(patsubst %.c,$(BUILD)/%.o,$(HELPERS)),$(C
 	@{ echo '{'; nm -g --defined-only $^ | awk 'NF == 3 { print $$3 ";" }'; echo '};'; } >$@
 $(BUILD)/worker: $(call objects,grader/worker/*.c) $(COMMON) $(ARCHIVE) $(BUILD)/include/given.h.gch $(BUILD)/given/exports $(GIVEN)
 	$(CC) $(SANITIZE) -Wl,--dynamic-list=$(BUILD)/given/exports -o $@ $(filter %.o,$^) -Wl,--as-needed $(ARCHIVE) $(LIBS)
+# The same for a lab that is compiled with AddressSanitizer; empty where its library is missing.
+$(BUILD)/worker_address: $(BUILD)/worker
+	@$(if $(SANITIZE),false,$(CC) -fsanitize=address -Wl,--dynamic-list=$(BUILD)/given/exports -o $@ $(call objects,grader/worker/*.c) \
+		$(COMMON) -Wl,--as-needed $(ARCHIVE) $(LIBS)) 2>$@.said || : >$@
+	@rm -f $@.said
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/c/%.o $(call objects,grader/tests/helpers/*.c) $(ARCHIVE)
 	$(call LINK,$(filter %.o,$^)) -lcmocka
 $(foreach file,$(call brought,witness),$(eval $(call witness,$(file)): $(BUILD)/$(file:.c=.o)))

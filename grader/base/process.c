@@ -1,5 +1,6 @@
 #include "base/process.h"
 
+#include "base/memory.h"
 #include "scene/check.h"
 
 #include <errno.h>
@@ -106,6 +107,7 @@ bool process_start(Process *process, char *const *arguments, char *const *enviro
     process->output = pipes[OUTPUT][0];
     process->replies = pipes[REPLIES][0];
     process->deadline = process_now() + limits->wall_seconds;
+    process->resident_mib = limits->resident_mib;
     fcntl(process->input, F_SETFL, O_NONBLOCK);
     if (process->pid > 0) {
         if (!limits->untrusted)
@@ -142,11 +144,14 @@ static void close_end(int *descriptor) {
 static bool wait_for_event(Process *process, struct pollfd *events) {
     int ready = 0;
     while (ready == 0 && process->state == PROCESS_RUNNING) {
-        double left = process->deadline - process_now();
+        const double left = process->deadline - process_now();
+        const double slice = process->resident_mib ? PROCESS_MEMORY_SLICE : PROCESS_SLICE;
         if (left <= 0 || process->cancelled)
             process->state = PROCESS_TIMED_OUT;
+        else if (process->resident_mib && !memory_within(process->pid, process->resident_mib))
+            process->state = PROCESS_TOO_LARGE;
         else
-            ready = poll(events, 3, (int)(fmin(left, PROCESS_SLICE) * 1000) + 1);
+            ready = poll(events, 3, (int)(fmin(left, slice) * 1000) + 1);
     }
     return process->state == PROCESS_RUNNING;
 }

@@ -8,12 +8,15 @@
 #include <sys/types.h>
 
 #define PROCESS_SLICE 0.1
+#define PROCESS_MEMORY_SLICE 0.02 // where memory is watched
 
 enum { PROCESS_OUTPUT = 64 * 1024, PROCESS_FLOOD = 4 * 1024 * 1024 };
 
 typedef struct ProcessLimits {
     double wall_seconds;                        // for the whole life of the process
     unsigned cpu_seconds, memory_mib, file_mib; // 0: no limit
+    unsigned resident_mib; // memory that it and its group may hold, watched by us every PROCESS_MEMORY_SLICE
+                           // seconds: for what RLIMIT_AS cannot limit; 0: no limit
     bool untrusted; // no terminal, and dies with us; none of its descendants may found a session or a group
     unsigned user;  // uid and gid of untrusted code; 0: ours
 } ProcessLimits;
@@ -22,12 +25,14 @@ typedef enum ProcessState {
     PROCESS_RUNNING,
     PROCESS_ENDED,     // exited or died: see status
     PROCESS_TIMED_OUT, // killed: the wall time was over
+    PROCESS_TOO_LARGE, // killed: it held more than resident_mib, or that cannot be seen
     PROCESS_FLOODED    // killed: it printed more than PROCESS_FLOOD bytes
 } ProcessState;
 
 typedef struct Process {
     pid_t pid;
     int input, replies, output; // our ends: its descriptor 0, its 3, and its 1 and 2 together; -1 when closed
+    unsigned resident_mib;      // the limit, 0 for none
     double deadline;            // seconds of the monotonic clock
     atomic_bool cancelled;      // set by another thread: the time is over within PROCESS_SLICE seconds
     ProcessState state;

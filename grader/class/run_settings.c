@@ -26,8 +26,11 @@ static void add_lab(const char *id, void *context) {
 }
 
 static bool from_settings(RunSettings *plan, const ClassSettings *settings) {
-    *plan = (RunSettings){
-        .seed = settings->seed, .context = settings->context, .seconds = settings->seconds, .lock = -1};
+    *plan = (RunSettings){.seed = settings->seed,
+                          .context = settings->context,
+                          .seconds = settings->seconds,
+                          .no_swap = settings->no_swap,
+                          .lock = -1};
     for (int i = 0; i < settings->labs.count; i++)
         add_lab(settings->labs.ids[i], plan);
     return settings->labs.count > 0 || (places_list_labs(add_lab, plan) && !check_message()[0]);
@@ -37,9 +40,10 @@ static char *to_text(const RunSettings *plan) {
     json_t *labs = json_array();
     for (int i = 0; i < plan->lab_count; i++)
         json_array_append_new(labs, json_string(plan->labs[i]));
-    json_t *root = json_pack("{s:i, s:o, s:s, s:f, s:o}", "version", 1, "seed",
+    json_t *root = json_pack("{s:i, s:o, s:s, s:f, s:b, s:o}", "version", 1, "seed",
                              json_sprintf("%llu", (unsigned long long)plan->seed), "context",
-                             context_name(plan->context), "timeout", plan->seconds, "labs", labs);
+                             context_name(plan->context), "timeout", plan->seconds, "no_swap", plan->no_swap,
+                             "labs", labs);
     char *text = json_dumps(root, JSON_INDENT(2) | JSON_REAL_PRECISION(10));
     json_decref(root);
     return text;
@@ -48,11 +52,13 @@ static char *to_text(const RunSettings *plan) {
 static bool from_file(RunSettings *plan, const char *path) {
     json_error_t error;
     const char *seed = NULL, *context = NULL;
+    int no_swap = 0; // missing in a run of an earlier version
     json_t *labs = NULL, *lab, *root = json_load_file(path, 0, &error);
     *plan = (RunSettings){.lock = -1};
     size_t i;
-    bool ok = root && json_unpack(root, "{s:s, s:s, s:F, s:o}", "seed", &seed, "context", &context, "timeout",
-                                  &plan->seconds, "labs", &labs) == 0;
+    bool ok = root && json_unpack(root, "{s:s, s:s, s:F, s?b, s:o}", "seed", &seed, "context", &context,
+                                  "timeout", &plan->seconds, "no_swap", &no_swap, "labs", &labs) == 0;
+    plan->no_swap = no_swap;
     ok = ok && context_parse(&plan->context, context);
     if (ok)
         plan->seed = strtoull(seed, NULL, 10);
@@ -129,6 +135,7 @@ bool run_settings_session(const RunSettings *plan, const Jail *jail, Session *se
                                      .patience = PATIENCE,
                                      .seed = plan->seed,
                                      .jail = jail,
+                                     .no_swap = plan->no_swap,
                                      .evidence = true},
                          .keep = true,
                          .complete = true};

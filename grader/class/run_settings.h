@@ -10,6 +10,7 @@ typedef struct RunSettings {
     uint64_t seed;
     ContextKind context;
     double seconds;
+    bool no_swap;
     int lab_count; // never 0
     char labs[COURSE_MAX_LABS][3];
     int lock; // descriptor of class.json, which holds the lock; -1: none

@@ -33,7 +33,7 @@ static bool run_tool(Process *process, char *const *arguments, const char *folde
 }
 
 // The flags are those of common/lab.flags, with which the Makefile precompiles given.h.
-static bool run_gcc(Process *process, const char *folder, const char *out, const Jail *jail) {
+static bool run_gcc(Process *process, const char *folder, const char *out, const Jail *jail, bool address) {
     char common[FILES_PATH], packages[FILES_PATH], flags[FILES_PATH + 16], scene[FILES_PATH + 16];
     jail_part(jail, "common", common);
     jail_part(jail, "include", packages);
@@ -53,7 +53,7 @@ static bool run_gcc(Process *process, const char *folder, const char *out, const
                          "-isystem",
                          packages,
                          "-include",
-                         "given.h",
+                         address ? "lab.h" : "given.h", // which was compiled without it
                          "-include",
                          "earlier.h",
                          "-fmax-errors=20",
@@ -63,6 +63,7 @@ static bool run_gcc(Process *process, const char *folder, const char *out, const
                          "./lab.c",
                          "given/given.so",
                          "-lm",
+                         address ? "-fsanitize=address" : NULL,
                          NULL};
     return run_tool(process, arguments, folder, out, jail);
 }
@@ -74,13 +75,13 @@ static bool take_library(const char *folder, const char *out) {
     return files_take(out, "lab.so", library, MAX_LIBRARY_MIB << 20);
 }
 
-bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG]) {
+static bool build(const char *folder, const Jail *jail, char log[COMPILE_LOG], bool address) {
     static _Thread_local Process process;
     char out[FILES_PATH];
     files_join(out, folder, "out");
     if (!given_place(folder, "all", jail) || (jail && !files_make_folder(out)))
         return false;
-    bool ok = run_gcc(&process, folder, jail ? out : NULL, jail);
+    bool ok = run_gcc(&process, folder, jail ? out : NULL, jail, address);
     snprintf(log, COMPILE_LOG, "%.*s", COMPILE_LOG - 1, process.text);
     if (!ok)
         check_fail(process.state == PROCESS_ENDED
@@ -90,6 +91,14 @@ bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG])
     if (jail)
         files_remove(out);
     return ok;
+}
+
+bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG]) {
+    return build(folder, jail, log, false);
+}
+
+bool compiler_build_for_address(const char *folder, const Jail *jail, char log[COMPILE_LOG]) {
+    return build(folder, jail, log, true);
 }
 
 bool compiler_locate(const char *folder, const Jail *jail, uint64_t offset, char place[COMPILE_PLACE]) {

@@ -14,6 +14,9 @@ enum { COMPILE_LOG = 16 * 1024, COMPILE_PLACE = 128 };
 // warnings). False with a message when there is no lab.so.
 bool compiler_build(const char *folder, const Jail *jail, char log[COMPILE_LOG]);
 
+// The same with AddressSanitizer, for a WorkerClient with `address`.
+bool compiler_build_for_address(const char *folder, const Jail *jail, char log[COMPILE_LOG]);
+
 // Writes where an offset in folder/lab.so stands in the source ("lab.c:12"), from the debug information of
 // lab.so, which is read in the jail (NULL: outside). False when it is nowhere.
 bool compiler_locate(const char *folder, const Jail *jail, uint64_t offset, char place[COMPILE_PLACE]);

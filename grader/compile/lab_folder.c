@@ -53,15 +53,19 @@ static bool apply_edits(Texts *texts, const Rubric *rubric, const Change *change
     return true;
 }
 
+char *lab_folder_source(const Rubric *rubric, int i, Solved solved) {
+    char path[FILES_PATH];
+    files_join(path, rubric->folder, rubric->files[i]);
+    char *text = files_read(path, DERIVE_MAX_FILE);
+    if (text)
+        replace_text(&text, task_blocks_select(rubric->files[i], text, solved, true));
+    return text;
+}
+
 static bool read_ours(Texts *texts, const Rubric *rubric, Solved solved) {
-    for (int i = 0; i < rubric->file_count; i++) {
-        char path[FILES_PATH];
-        files_join(path, rubric->folder, rubric->files[i]);
-        texts->of[i] = files_read(path, DERIVE_MAX_FILE);
-        if (!texts->of[i] ||
-            !replace_text(&texts->of[i], task_blocks_select(rubric->files[i], texts->of[i], solved, true)))
+    for (int i = 0; i < rubric->file_count; i++)
+        if (!(texts->of[i] = lab_folder_source(rubric, i, solved)))
             return false;
-    }
     return true;
 }
 
@@ -127,18 +131,31 @@ bool lab_folder_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solve
     return ok;
 }
 
-// Takes lab.so from an earlier folder; false when lab.c is not the same there.
-static bool take_library(const char *folder, const char *earlier) {
+static bool is_same_file(const char *folder, const char *earlier, const char *name) {
     char path[FILES_PATH], old_path[FILES_PATH];
-    files_join(path, folder, "lab.c");
-    files_join(old_path, earlier, "lab.c");
+    files_join(path, folder, name);
+    files_join(old_path, earlier, name);
     char *text = files_read(path, DERIVE_MAX_FILE), *old = files_read(old_path, DERIVE_MAX_FILE);
-    bool same = text && old && strcmp(text, old) == 0;
+    const bool same = text && old && strcmp(text, old) == 0;
     free(text);
     free(old);
+    return same;
+}
+
+static bool is_of_c(const char *name) {
+    const char *dot = strrchr(name, '.');
+    return dot && (strcmp(dot, ".c") == 0 || strcmp(dot, ".h") == 0);
+}
+
+// Takes lab.so from an earlier folder; false when a file that goes into it is not the same there.
+static bool take_library(const char *folder, const char *earlier, const Rubric *rubric) {
+    char path[FILES_PATH], old_path[FILES_PATH];
+    for (int i = 0; i < rubric->file_count; i++)
+        if (is_of_c(rubric->files[i]) && !is_same_file(folder, earlier, rubric->files[i]))
+            return false;
     files_join(path, folder, "lab.so");
     files_join(old_path, earlier, "lab.so");
-    return same && link(old_path, path) == 0;
+    return link(old_path, path) == 0;
 }
 
 bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
@@ -152,7 +169,7 @@ bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rub
                                                                           (Solved){SOLVED_ALL, NULL}, true));
     }
     ok = ok && write_texts(folder, rubric, &texts) && given_place(folder, rubric->id, jail) &&
-         ((earlier && take_library(folder, earlier)) || compiler_build(folder, jail, log));
+         ((earlier && take_library(folder, earlier, rubric)) || compiler_build(folder, jail, log));
     free_texts(&texts);
     return ok;
 }
@@ -160,4 +177,18 @@ bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rub
 bool lab_folder_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                            char log[COMPILE_LOG]) {
     return lab_folder_again(folder, NULL, rubric, submission, jail, log);
+}
+
+bool lab_folder_mixed(const char *folder, const char *earlier, const Rubric *rubric, char *const *texts,
+                      const Jail *jail) {
+    static _Thread_local char log[COMPILE_LOG];
+    Texts mixed = {0};
+    char source[FILES_PATH];
+    memcpy(mixed.of, texts, sizeof *texts * (size_t)rubric->file_count);
+    bool ok = write_texts(folder, rubric, &mixed) && given_place(folder, rubric->id, jail) &&
+              (take_library(folder, earlier, rubric) || compiler_build(folder, jail, log));
+    files_join(source, folder, "lab.c");
+    unlink(source);
+    check_clear();
+    return ok;
 }

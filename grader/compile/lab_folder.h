@@ -22,9 +22,18 @@ bool lab_folder_can_change(const Rubric *rubric, const Change *change);
 bool lab_folder_submission(const char *folder, const Rubric *rubric, const char *submission, const Jail *jail,
                            char log[COMPILE_LOG]);
 
-// The same, but lab.so is taken from `earlier` (NULL: none), a folder that was made so before, when lab.c has
-// not changed since: a change of a shader needs no compiler of C.
+// The same, but lab.so is taken from `earlier` (NULL: none), a folder that was made so before, when no file
+// of C has changed since: a change of a shader needs no compiler of C.
 bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
                       const Jail *jail, char log[COMPILE_LOG]);
+
+// The same from texts, in the order of rubric->files, of which some are ours: the folder is for a diagnosis.
+// Of lab.c only lab.so stays there. False when it does not compile, without a word of why.
+bool lab_folder_mixed(const char *folder, const char *earlier, const Rubric *rubric, char *const *texts,
+                      const Jail *jail);
+
+// Our source of the file number i, with these tasks solved; its lines have the numbers of the annotated one.
+// The caller frees it; NULL with a message.
+char *lab_folder_source(const Rubric *rubric, int i, Solved solved);
 
 enum { DERIVE_MAX_FILE = 1 << 18 };

@@ -53,6 +53,13 @@ const char *rubric_task(const Rubric *rubric, int n) {
     return NULL;
 }
 
+int rubric_task_index(const Rubric *rubric, const char *task) {
+    for (int i = 0; i < rubric->hint_count; i++)
+        if (strcmp(rubric->hints[i].task, task) == 0)
+            return i;
+    return -1;
+}
+
 static const Change *find_change(const Rubric *rubric, const Change *changes, int count, const char *kind,
                                  const char *name) {
     for (int i = 0; i < count; i++)

@@ -32,7 +32,7 @@ typedef struct Check {
     int knob_count;
     const char *scenes[RUBRIC_MAX_CHOICES]; // walked through as the knobs' choices are
     int scene_count;                        // at least 1 in a rubric that was read
-    bool large;                             // its frames are larger than 640 x 480, see exam/draw.h
+    bool large;                             // its frames are larger than 640 x 480, see exam/exam_draw.h
 } Check;
 
 // The solution changed in a few places: a mistake (with its task and a hint) or another correct way.
@@ -78,6 +78,9 @@ int rubric_points(const Rubric *rubric);
 
 // The task with the number n ("3.4" for 4); NULL when no check is about it.
 const char *rubric_task(const Rubric *rubric, int n);
+
+// The number of a task among all of the lab, from 0, in their order; -1 when there is no such task.
+int rubric_task_index(const Rubric *rubric, const char *task);
 
 // The n-th hint (from 0) of a task; NULL past the last.
 const char *rubric_hint(const Rubric *rubric, const char *task, int n);

@@ -31,6 +31,15 @@ static int task_number(const char *task) {
     return dot ? atoi(dot + 1) : 0;
 }
 
+// Is the task in the list "3.4 3.6"?
+static bool is_listed(const char *list, const char *task) {
+    const size_t length = strlen(task);
+    for (const char *at = strstr(list, task); at; at = strstr(at + 1, task))
+        if ((at == list || at[-1] == ' ') && (at[length] == ' ' || at[length] == '\0'))
+            return true;
+    return false;
+}
+
 static bool is_solved(Solved solved, const char *task) {
     switch (solved.which) {
     case SOLVED_ALL:
@@ -41,6 +50,8 @@ static bool is_solved(Solved solved, const char *task) {
         return task_number(task) <= task_number(solved.task);
     case SOLVED_ALL_BUT:
         return strcmp(task, solved.task) != 0 && strchr(solved.task, '.') != NULL;
+    case SOLVED_WITHOUT:
+        return !is_listed(solved.task, task);
     }
     return false;
 }
@@ -125,5 +136,29 @@ void task_blocks_list(const char *text, void (*visit)(const char *task, void *co
     char task[16];
     for (const char *line = text; line && *line; line = strchr(line, '\n'), line += line != NULL)
         if (line_kind(line) == LINE_BEGIN && read_task(line, task))
+            visit(task, context);
+}
+
+// The line on which the answer of the block that begins on `line`, number `at`, ends.
+static int answer_end(const char *line, int at) {
+    for (int nested = 0; line && *line; at++) {
+        line = strchr(line, '\n');
+        line += line != NULL;
+        LineKind kind = line ? line_kind(line) : LINE_END;
+        nested += kind == LINE_IF;
+        if (nested == 0 && (kind == LINE_ELSE || kind == LINE_END))
+            return at;
+        nested -= kind == LINE_END;
+    }
+    return at;
+}
+
+void task_blocks_between(const char *text, int first, int last,
+                         void (*visit)(const char *task, void *context), void *context) {
+    char task[16];
+    int at = 1;
+    for (const char *line = text; line && *line; line = strchr(line, '\n'), line += line != NULL, at++)
+        if (line_kind(line) == LINE_BEGIN && read_task(line, task) && at < last &&
+            answer_end(line, at) >= first)
             visit(task, context);
 }

@@ -13,8 +13,9 @@
 #include <stdbool.h>
 
 typedef struct Solved {
-    enum { SOLVED_ALL, SOLVED_NONE, SOLVED_ALL_BUT, SOLVED_UP_TO } which;
-    const char *task; // of the last two; "3" stands for all tasks of lab 03
+    enum { SOLVED_ALL, SOLVED_NONE, SOLVED_ALL_BUT, SOLVED_UP_TO, SOLVED_WITHOUT } which;
+    const char
+        *task; // of the last three; "3" stands for all tasks of lab 03; WITHOUT takes several: "3.4 3.6"
 } Solved;
 
 // One replacement of a text that must stand exactly once in its file.
@@ -32,3 +33,8 @@ char *task_blocks_edit(const char *text, const Edit *edit);
 
 // Calls visit for the task id of each marked block, in order.
 void task_blocks_list(const char *text, void (*visit)(const char *task, void *context), void *context);
+
+// Calls visit for the task id of each marked block of whose answer a line from `first` to `last`, both from
+// 1, is a part.
+void task_blocks_between(const char *text, int first, int last,
+                         void (*visit)(const char *task, void *context), void *context);

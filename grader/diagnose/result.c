@@ -10,11 +10,6 @@ const char *result_status_name(LabStatus status) {
     return names[status];
 }
 
-bool result_wrong_size(const FrameFacts *yours, const FrameFacts *ours) {
-    return yours->stage_width > 0 &&
-           (yours->stage_width != ours->stage_width || yours->stage_height != ours->stage_height);
-}
-
 double result_points(const CheckResult *check) {
     return round(check->share * check->check->points * 100) / 100;
 }

@@ -25,11 +25,32 @@ typedef struct CheckResult {
     bool undone;            // the cause: a task is not done yet, rather than done wrong
     const char *cause_task; // where to look; NULL when it is the check's own task
     char mistake[256], hint[1500];
+    char seen[256]; // what is wrong with the picture, in words; "" when that says no more than the cause
     char kind[256]; // the mistake without the numbers of these pictures: the same for all who made it
     Image yours[EXAM_MAX_VARIANTS]; // owned; empty where no frame was drawn
     Image evidence[EVIDENCE_PARTS]; // owned; empty when the check passed or nobody asked for it
     Difference difference;          // the evidence's
 } CheckResult;
+
+enum { FAULT_PARTS = 3 };
+
+// A part of a submission that was exchanged.
+typedef struct FaultPart {
+    const char *file;  // the rubric's
+    char function[64]; // the student's name of it; "": all that stands outside of functions, or with `whole`
+                       // the whole file
+    bool whole;
+    char ours[64];        // our name of the function
+    char helpers[128];    // the student's own functions that it calls, "a, b"
+    const char *tasks[4]; // that are done there, the most likely first; all NULL in what was handed out
+} FaultPart;
+
+// With our parts in the place of these, `repaired` of the `failed` checks pass.
+typedef struct Fault {
+    FaultPart parts[FAULT_PARTS];
+    int count, failed, repaired;
+    bool stopped; // the time was over before all was tried
+} Fault;
 
 typedef enum LabStatus { LAB_PASSED, LAB_FAILED, LAB_ERROR, LAB_TIMEOUT } LabStatus;
 
@@ -41,6 +62,9 @@ typedef struct LabResult {
     double speed_ratio;        // CPU time to the solution's, median over the frames; 0 when nothing was drawn
     char message[RESULT_TEXT]; // what went wrong as a whole, "" when nothing did
     char warnings[RESULT_TEXT]; // gcc's, GL's and remarks about ignored files
+    char summary[700],
+        advice[1500]; // where to look first and why, in a line, and what helps; "" when all passed
+    Fault fault;      // no parts when none was found
     int check_count;
     CheckResult checks[RUBRIC_MAX_CHECKS];
 } LabResult;
@@ -54,10 +78,6 @@ typedef struct Report {
     int lab_count;
     LabResult *labs; // COURSE_MAX_LABS, owned
 } Report;
-
-// Does a stage have another size than that of ours? A lab without the stage has none, which its picture
-// tells.
-bool result_wrong_size(const FrameFacts *yours, const FrameFacts *ours);
 
 // As in the JSON: "passed", ...
 const char *result_status_name(LabStatus status);

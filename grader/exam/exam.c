@@ -1,7 +1,7 @@
 #include "exam/exam.h"
 
 #include "scene/check.h"
-#include "exam/draw.h"
+#include "exam/exam_draw.h"
 #include "score/score.h"
 
 #include <string.h>

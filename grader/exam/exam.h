@@ -22,6 +22,8 @@ typedef struct LatePicture {
     Image image; // owned; empty when it is the reference's
 } LatePicture;
 
+typedef enum ExamEntry { EXAM_UNKNOWN, EXAM_PASSES, EXAM_FAILS } ExamEntry;
+
 typedef struct Exam {
     const Rubric *rubric;
     Painters *painters; // draws what is asked for later; NULL when everything was recorded
@@ -32,6 +34,7 @@ typedef struct Exam {
     float milliseconds[RUBRIC_MAX_CHECKS]; // of the solution in a check's last variant; 0: not measured yet
     LatePicture mistakes[EXAM_MAX_MISTAKES][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    ExamEntry without_task[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS]; // see exam_matrix.h
     LatePicture also[RUBRIC_MAX_ALSO][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
 } Exam;
 

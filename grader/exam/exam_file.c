@@ -2,6 +2,8 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "compile/lab_folder.h"
+#include "exam/exam_matrix.h"
 #include "exam/exam_facts.h"
 
 #include <jansson.h>
@@ -49,17 +51,31 @@ bool exam_file_draw_seed(uint64_t *seed) {
     return ok;
 }
 
-bool exam_file_is_handed_out(const Rubric *rubric, const char *name) {
-    char folder[FILES_PATH], path[FILES_PATH];
-    if (strlen(name) > 200)
-        return false;
+// Where a file that students get lies: as they get it, where there are no solutions.
+static void place_handed_out(char path[FILES_PATH], const Rubric *rubric, const char *name) {
+    char folder[FILES_PATH];
     snprintf(folder, sizeof folder, "%s", rubric->folder);
     if (exam_file_only()) {
         places_path(path, "grader/recorded/labs");
         files_join(folder, path, strrchr(rubric->folder, '/') + 1);
     }
     files_join(path, folder, name);
+}
+
+bool exam_file_is_handed_out(const Rubric *rubric, const char *name) {
+    char path[FILES_PATH];
+    if (strlen(name) > 200)
+        return false;
+    place_handed_out(path, rubric, name);
     return files_exists(path);
+}
+
+char *exam_file_skeleton(const Rubric *rubric, int i) {
+    char path[FILES_PATH];
+    if (!exam_file_only())
+        return lab_folder_source(rubric, i, (Solved){SOLVED_NONE, NULL});
+    place_handed_out(path, rubric, rubric->files[i]);
+    return files_read(path, DERIVE_MAX_FILE);
 }
 
 static void place(char path[FILES_PATH], const char *folder, uint64_t seed, const char *end) {
@@ -168,7 +184,8 @@ static bool save_check(Exam *exam, int c, const char *folder, json_t *checks) {
 bool exam_file_save(Exam *exam, const char *folder) {
     char path[FILES_PATH];
     json_t *checks = json_array();
-    json_t *root = json_pack("{s:i, s:s, s:o}", "version", 2, "renderer", exam->renderer, "checks", checks);
+    json_t *root = json_pack("{s:i, s:s, s:o, s:o}", "version", 2, "renderer", exam->renderer, "checks",
+                             checks, "without_task", exam_matrix_pack(exam));
     bool ok = true;
     for (int c = 0; ok && c < exam->rubric->check_count; c++)
         ok = save_check(exam, c, folder, checks);
@@ -257,7 +274,8 @@ bool exam_file_load(Exam *exam, const Rubric *rubric, uint64_t seed) {
         return check_fail("seed %llu is not recorded here: take one of those in grader/recorded/seeds.json",
                           (unsigned long long)seed);
     bool ok = renderer && json_array_size(checks) == (size_t)rubric->check_count &&
-              restore(exam, rubric, seed, checks);
+              restore(exam, rubric, seed, checks) &&
+              exam_matrix_unpack(exam, json_object_get(root, "without_task"));
     for (int c = 0; ok && c < rubric->check_count; c++)
         ok = load_check(exam, c, json_array_get(checks, (size_t)c));
     if (ok)

@@ -12,6 +12,7 @@ typedef struct GradeOptions {
     uint64_t seed;
     const Jail *jail; // NULL: their author grades them, outside
     bool untimed;     // do not compare times with the solution's
+    bool no_swap;     // do not exchange parts of the submission to find the fault
     bool evidence;    // keep pictures of what failed in the result
 } GradeOptions;
 

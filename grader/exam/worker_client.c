@@ -18,6 +18,11 @@ static const bool limits_memory = false; // the sanitizer reserves terabytes of 
 static const bool limits_memory = true;
 #endif
 
+#define ADDRESS_OPTIONS                                                                                      \
+    "ASAN_OPTIONS=detect_leaks=0:disable_coredump=0:handle_segv=2:handle_sigbus=2:handle_abort=2:fast_"      \
+    "unwind_on_malloc=0:"                                                                                    \
+    "allocator_may_return_null=1"
+
 static double wall_seconds(const WorkerClient *client) {
     return client->seconds * (client->patience > 0 ? client->patience : 1);
 }
@@ -27,7 +32,7 @@ bool worker_client_start(WorkerClient *client) {
     if (client->program) // of ours, and outside
         places_build_path(worker, client->program);
     else
-        jail_part(client->jail, "worker", worker);
+        jail_part(client->jail, client->address ? "worker_address" : "worker", worker);
     jail_part(client->jail, "shaders", shaders);
     places_build_path(cache, "cache/shaders");
     snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
@@ -35,7 +40,8 @@ bool worker_client_start(WorkerClient *client) {
     char *arguments[] = {worker, (char *)context_name(client->context), client->folder, shaders, NULL};
     char *environment[] = {"LP_NUM_THREADS=0",
                            "LIBGL_ALWAYS_SOFTWARE=1",
-                           "ASAN_OPTIONS=detect_leaks=0:disable_coredump=0",
+                           client->address ? ADDRESS_OPTIONS
+                                           : "ASAN_OPTIONS=detect_leaks=0:disable_coredump=0",
                            "MALLOC_MMAP_THRESHOLD_=1000000000",
                            "MALLOC_TRIM_THRESHOLD_=1000000000",
                            "LC_ALL=C",
@@ -53,6 +59,11 @@ bool worker_client_start(WorkerClient *client) {
                                       .cpu_seconds = (unsigned)(client->seconds - client->used_seconds) + 1,
                                       .memory_mib = limits_memory ? MEMORY_MIB : 0,
                                       .file_mib = 1};
+    if (client->address) { // its map of the memory takes terabytes of addresses: what is held counts
+        plan.sees_itself = true;
+        plan.limits.memory_mib = 0;
+        plan.limits.resident_mib = MEMORY_MIB;
+    }
     client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
     return client->started;
 }
@@ -124,6 +135,14 @@ static void clean_reply(Reply *reply) {
     reply->facts.refused = reply->facts.refused != 0;
 }
 
+static void note_crash(WorkerClient *client, const Request *request) {
+    const int status = client->process.status, number = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    if (!client->has_crash && (number == SIGSEGV || number == SIGABRT || number == SIGBUS)) {
+        client->has_crash = true;
+        client->crash = *request;
+    }
+}
+
 // The reply and exactly `size` bytes of payload; zeroes when they do not come.
 static DrawResult exchange(WorkerClient *client, const Request *request, void *payload, size_t size,
                            Reply *reply) {
@@ -137,6 +156,7 @@ static DrawResult exchange(WorkerClient *client, const Request *request, void *p
     clean_reply(reply);
     if (!ok) {
         memset(payload, 0, size);
+        note_crash(client, request);
         return explain_end(client, request, reply);
     }
     if (reply->magic != PROTOCOL_MAGIC) {

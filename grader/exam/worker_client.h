@@ -26,7 +26,10 @@ typedef struct WorkerClient {
     double patience;     // wall time that it may use, in units of that; 0: 1
     bool each_turn; // `seconds` is wall time and starts again with worker_client_begin, whoever draws: for a
                     // window
+    bool address;   // lab.so is compiled with AddressSanitizer, which says on standard error what it finds
     bool started;
+    bool has_crash;      // by SEGV, ABRT or BUS
+    Request crash;       // the first for which it did
     int restarts;        // by worker_client_restart
     double used_seconds; // processor time of the workers before this one
     Process process;

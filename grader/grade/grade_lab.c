@@ -1,5 +1,6 @@
 #include "grade/grade_lab.h"
 
+#include "grade/address.h"
 #include "scene/check.h"
 #include "base/statistics.h"
 #include "compile/lab_folder.h"
@@ -224,7 +225,9 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     worker_client_begin(student);
     grade_frames(result, exam, student, exam->painters && !options->untimed);
     note_output(result, student->process.text);
-    return diagnose(result, exam) && (!options->evidence || evidence_attach(result, exam));
+    address_explain(result, student, exam->rubric);
+    return diagnose(result, exam, student, !options->no_swap) &&
+           (!options->evidence || evidence_attach(result, exam));
 }
 
 bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, const GradeOptions *options) {

@@ -1,22 +1,6 @@
 #include "grade/score_check.h"
 
-#include "score/score.h"
-
-static const double PASSED_SHARE = 0.95; // of a check's points
-
-// What a frame in which GL refused a call gets of its points: it may be drawn otherwise by another driver.
-static const double REFUSED_SHARE = 0.5;
-
-// Without a frame the error is 1.
-static FrameScore score_variant(const CheckResult *check, const Variant *variant, int n, const Image *ours) {
-    const Image *yours = &check->yours[n];
-    if (!yours->rgba || result_wrong_size(&check->facts[n], &variant->facts))
-        return (FrameScore){.inside = 1};
-    FrameScore score = score_frame(yours, ours, &variant->without, &variant->skeleton);
-    if (check->facts[n].refused)
-        score.share *= REFUSED_SHARE;
-    return score;
-}
+#include "exam/frame_score.h"
 
 static void take_worst(CheckResult *check, const FrameScore *score, int n, const Variant *variant) {
     double error = score->inside + score->outside;
@@ -26,23 +10,25 @@ static void take_worst(CheckResult *check, const FrameScore *score, int n, const
     check->share = score->share;
     check->error = error;
     check->worst = n;
-    check->wrong_size = result_wrong_size(&check->facts[n], &variant->facts);
+    check->wrong_size = frame_wrong_size(&check->facts[n], &variant->facts);
     check->refused = check->facts[n].refused;
 }
 
 static void score_solution(CheckResult *check, const Variant *variants) {
     for (int n = 0; n < check->check->variants; n++) {
-        FrameScore score = score_variant(check, &variants[n], n, &variants[n].reference);
+        FrameScore score =
+            frame_score(&check->yours[n], &check->facts[n], &variants[n], &variants[n].reference);
         take_worst(check, &score, n, &variants[n]);
     }
-    check->passed = check->share >= PASSED_SHARE;
+    check->passed = check->share >= SCORE_PASSED;
 }
 
 // Is the check passed when alternative a of "also right" is the reference?
 static bool passes_also(const CheckResult *check, Exam *exam, int c, int a) {
     for (int n = 0; n < check->check->variants; n++) {
         const Image *ours = exam_also(exam, a, c, n);
-        if (!ours || score_variant(check, &exam->variants[c][n], n, ours).share < PASSED_SHARE)
+        if (!ours ||
+            frame_score(&check->yours[n], &check->facts[n], &exam->variants[c][n], ours).share < SCORE_PASSED)
             return false;
     }
     return true;

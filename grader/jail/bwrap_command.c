@@ -23,6 +23,12 @@ static const SystemPath system_paths[] = {
     {"/usr/include", JAIL_TOOLS},    {"/usr/local/include", JAIL_TOOLS}};
 enum { SYSTEM_PATHS = COUNT(system_paths) };
 
+#if defined(__SANITIZE_ADDRESS__)
+enum { SANITIZED = true }; // then each process asks /proc for its stack
+#else
+enum { SANITIZED = false };
+#endif
+
 static void add(BwrapCommand *command, const char *argument) {
     INVARIANT(command->count < COMMAND_MAX - 1);
     command->arguments[command->count++] = (char *)argument;
@@ -74,9 +80,8 @@ static void add_bwrap(BwrapCommand *command, const Jail *jail, const JailPlan *p
         add_mount(command, "--ro-bind", plan->readable);
     if (plan->writable)
         add_mount(command, "--bind", plan->writable);
-#if defined(__SANITIZE_ADDRESS__)
-    add_option(command, "--proc", "/proc"); // the sanitizer asks it for its stack
-#endif
+    if (SANITIZED || plan->sees_itself)
+        add_option(command, "--proc", "/proc");
     add_option(command, "--remount-ro", "/");
     add_option(command, "--chdir", plan->folder);
     add(command, "--");
@@ -98,9 +103,8 @@ static void add_shim(BwrapCommand *command, const Jail *jail, const JailPlan *pl
         add_option(command, "-r", plan->readable);
     if (plan->writable)
         add_option(command, "-w", plan->writable);
-#if defined(__SANITIZE_ADDRESS__)
-    add_option(command, "-r", "/proc");
-#endif
+    if (SANITIZED || plan->sees_itself) // the shim becomes the process itself
+        add_option(command, "-r", SANITIZED ? "/proc" : "/proc/self");
     add(command, "--");
 }
 

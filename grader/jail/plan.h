@@ -25,9 +25,10 @@ typedef struct JailPlan {
     ProcessLimits limits;
     const char *folder;   // the working folder, readable; absolute
     const char *readable; // one more readable file or folder, absolute; NULL for none
+    bool sees_itself;     // it may read what /proc says of itself, of which AddressSanitizer asks its stack
     const char *writable; // a folder that may be written to, absolute; NULL for none
 } JailPlan;
 
-// The path inside of one of our parts: "worker", "include", "shaders", "common", or a program of inside/.
-// With a NULL jail its path outside.
+// The path inside of one of our parts: "worker", "worker_address", "include", "shaders", "common", or a
+// program of inside/. With a NULL jail its path outside.
 void jail_part(const Jail *jail, const char *part, char path[FILES_PATH]);

@@ -13,12 +13,14 @@
 
 typedef struct Part {
     const char *name;
-    bool built; // lies in the build folder
+    bool built;    // lies in the build folder
+    bool optional; // need not be there
 } Part;
 
-static const Part parts[] = {{"worker", true},      {"jail_shim", true}, {"jail_probe", true},
-                             {"jail_unpack", true}, {"include", true},   {"common", false},
-                             {"shaders", false}};
+static const Part parts[] = {{"worker", true, false},      {"worker_address", true, true},
+                             {"jail_shim", true, false},   {"jail_probe", true, false},
+                             {"jail_unpack", true, false}, {"include", true, false},
+                             {"common", false, false},     {"shaders", false, false}};
 enum { PARTS = COUNT(parts) };
 
 void stage_source(const char *name, char path[FILES_PATH]) {
@@ -90,7 +92,7 @@ bool stage_create(char stage[FILES_PATH]) {
         char from[FILES_PATH], to[FILES_PATH];
         stage_source(parts[i].name, from);
         files_join(to, stage, parts[i].name);
-        ok = stage_copy(from, to);
+        ok = (parts[i].optional && !files_exists(from)) || stage_copy(from, to);
     }
     if (!ok) {
         stage_destroy(stage);

@@ -71,6 +71,8 @@ static const Option options[] = {
     {"jail", 0, "ROUTE", "bwrap or landlock: only this jail (default: the first that holds)", AT(class.route),
      take_route},
     {"trusted", 0, NULL, "no jail: the submission is my own work", AT(trusted), option_flag},
+    {"no-swap", 0, NULL, "do not look for the fault by putting our functions into the submission",
+     AT(class.no_swap), option_flag},
     {.help = "of a whole class, one submission a folder or archive (.zip, .tar.gz) in DIR:"},
     {"class", 0, "DIR",
      "the submissions; --output is the folder for grades.csv, index.html, pages/ and\nresults/",
@@ -170,6 +172,7 @@ static int grade_submission(const GradeCommand *command) {
     session.options = (GradeOptions){.context = settings->context,
                                      .seconds = settings->seconds,
                                      .seed = settings->seed,
+                                     .no_swap = settings->no_swap,
                                      .evidence = command->output || command->format == REPORT_HTML};
     bool ok = jail_choose(&jail, settings->route, command->trusted, "grade", &session.options.jail);
     int status = EXIT_COULD_NOT;

@@ -46,14 +46,14 @@ static void note(ProofRow *row, const char *text) {
         snprintf(row->other, sizeof row->other, "%.120s", text);
 }
 
-// Is the mistake named in a failed check, and nothing else in any?
+// Is the mistake named in a failed check, first of what it may be, and nothing else in any?
 static bool named_right(const LabResult *result, ProofRow *row) {
     bool named = false;
     for (int c = 0; c < result->check_count; c++) {
         const CheckResult *check = &result->checks[c];
         if (check->passed)
             continue;
-        if (strcmp(check->mistake, row->change->name) != 0) {
+        if (strncmp(check->mistake, row->change->name, strlen(row->change->name)) != 0) {
             note(row, check->has_cause ? check->mistake : result->message);
             return false;
         }
@@ -155,6 +155,15 @@ static void draw_row(LabResult *result, ProofRow *row, const Painter *painter, E
     grade_frames(result, exam, &row->contender, false);
 }
 
+// Most mistakes are named by their pictures alone, as in the student's kit. Where they draw nothing, only the
+// part with the fault can tell.
+static bool name_causes(LabResult *result, ProofRow *row, Exam *exam) {
+    ProofRow unnamed = *row;
+    return diagnose(result, exam, &row->contender, false) &&
+           (row->kind != KIND_MISTAKE || named_right(result, &unnamed) ||
+            diagnose(result, exam, &row->contender, true));
+}
+
 // Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from
 // the second seed on.
 static bool run_row(ProofRow *row, Exam *exam, Painters *painters) {
@@ -171,7 +180,8 @@ static bool run_row(ProofRow *row, Exam *exam, Painters *painters) {
         draw_row(&result, row, painter, exam);
         same = draws_the_same(&result, row, exam);
     }
-    bool ok = diagnose(&result, exam);
+    memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
+    bool ok = name_causes(&result, row, exam);
     double percent = row->percent = 100 * result.score / result.max_score;
     if (first || percent < row->lowest)
         row->lowest = percent;

@@ -21,6 +21,7 @@ static const JsonField change_fields[] = {{"file", FIELD_NAME, FIELD_NEEDED, 1, 
                                           {"from", FIELD_NAME, FIELD_NEEDED, 0, RUBRIC_MAX_HINT},
                                           {"to", FIELD_LIST, FIELD_OPTIONAL, 1, MAX_ENTRIES},
                                           {"nth", FIELD_WHOLE, FIELD_OPTIONAL, 1, MAX_ENTRIES},
+                                          {"task", FIELD_NAME, FIELD_OPTIONAL, 1, RUBRIC_MAX_NAME},
                                           {0}};
 
 static const JsonField to_text = {"to", FIELD_NAME, FIELD_NEEDED, 0, RUBRIC_MAX_HINT};
@@ -36,13 +37,13 @@ static bool read_change(EqualList *list, const Rubric *rubric, const JsonPlace *
     if (!json_fields_check(place, json, change_fields))
         return false;
     EqualChange *change = &list->changes[list->count++];
-    *change = (EqualChange){text_of(json, "file"),
-                            text_of(json, "line"),
-                            text_of(json, "from"),
-                            why,
-                            json_object_get(json, "to"),
-                            (int)json_integer_value(json_object_get(json, "nth")),
-                            0};
+    *change = (EqualChange){.file = text_of(json, "file"),
+                            .line = text_of(json, "line"),
+                            .from = text_of(json, "from"),
+                            .why = why,
+                            .task = text_of(json, "task"),
+                            .to = json_object_get(json, "to"),
+                            .nth = (int)json_integer_value(json_object_get(json, "nth"))};
     if (!rubric_names_file(rubric, change->file))
         return json_fields_fail(place, "file",
                                 "\"%s\" is not in the list \"files\" of rubric.json; write one of those",
@@ -107,7 +108,8 @@ static bool line_has(const char *text, size_t at, const char *part) {
 static bool names(const EqualChange *change, const Mutant *mutant) {
     size_t i;
     json_t *to;
-    if (change->nth > 0 && change->nth != mutant->nth)
+    if ((change->nth > 0 && change->nth != mutant->nth) ||
+        (change->task && strcmp(change->task, mutant->task) != 0))
         return false;
     if (!change->to)
         return true;

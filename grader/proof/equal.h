@@ -15,6 +15,7 @@
 
 typedef struct EqualChange {
     const char *file, *line, *from, *why;
+    const char *task;  // NULL: any
     struct json_t *to; // a list of texts; NULL: any
     int nth;           // 0: any
     int matched;       // how many mutants it names

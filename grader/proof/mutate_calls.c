@@ -38,7 +38,8 @@ static bool gives_a_value(const Source *source, int i) {
 static void change_call(Mutants *mutants, const Source *source, int i) {
     Argument arguments[2];
     const int count = find_arguments(source, i + 1, arguments);
-    if (count == 2)
+    if (count == 2 &&
+        !source_is_one_of(source, i, "dot min max distance glms_vec3_add")) // these do not mind the order
         exchange_arguments(mutants, source, arguments);
     for (int k = 0; k < count && gives_a_value(source, i); k++) {
         char *text = mutant_quote(source, arguments[k].first, arguments[k].last);

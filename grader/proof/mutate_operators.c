@@ -5,9 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
-// Operators with the same operands.
-static const char *const groups[] = {"+ - * /", "% / *", "< <= > >= == !=", "&& ||",
-                                     "& |",     "<< >>", "+= -= *= =",      "++ --"};
+// Operators, and what takes the same operands.
+static const struct {
+    const char *from, *to;
+} groups[] = {{"+ - * /", "+ - * /"},   {"%", "/ *"},      {"< <= > >= == !=", "< <= > >= == !="},
+              {"&& ||", "&& ||"},       {"& |", "& |"},    {"<< >>", "<< >>"},
+              {"+= -= *=", "+= -= *="}, {"++ --", "++ --"}};
 
 // Is it an operator between two operands? In "Light *light" it belongs to a type.
 static bool is_binary(const Source *source, int i) {
@@ -17,8 +20,8 @@ static bool is_binary(const Source *source, int i) {
 static void change_operator(Mutants *mutants, const Source *source, int i) {
     const bool steps = source_is_one_of(source, i, "++ --");
     for (size_t k = 0; k < COUNT(groups); k++)
-        if (source_is_one_of(source, i, groups[k]) && (steps || is_binary(source, i)))
-            mutants_add_each(mutants, source, i, groups[k]);
+        if (source_is_one_of(source, i, groups[k].from) && (steps || is_binary(source, i)))
+            mutants_add_each(mutants, source, i, groups[k].to);
     if (source_is_one_of(source, i, "- !") && !is_binary(source, i))
         mutants_add(mutants, source, i, i, "%s", "");
 }

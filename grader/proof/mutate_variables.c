@@ -24,13 +24,21 @@ static void turn_sign(Mutants *mutants, const Source *source, const Declared *de
         mutants_add(mutants, source, i, i, "-%.*s", (int)piece->length, piece->text);
 }
 
+// Is it being declared here, so that it only gets another name?
+static bool is_declared_here(const Source *source, int i) {
+    while (source_is(source, i - 1, "*"))
+        i--;
+    return source_is_type(source, i - 1);
+}
+
 void mutations_of_variables(Mutants *mutants, const Source *source) {
     static Declarations declarations;
     declared_find(&declarations, source);
     for (int i = 0; i < source->count; i++) {
-        const Declared *declared = source->pieces[i].kind == PIECE_NAME && source->pieces[i].task[0]
-                                       ? declared_at(&declarations, source, i)
-                                       : NULL;
+        const Declared *declared =
+            source->pieces[i].kind == PIECE_NAME && source->pieces[i].task[0] && !is_declared_here(source, i)
+                ? declared_at(&declarations, source, i)
+                : NULL;
         if (!declared)
             continue;
         exchange(mutants, source, &declarations, declared, i);

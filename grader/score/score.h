@@ -10,6 +10,8 @@ enum {
     SCORE_WINDOW = 16    // side of the windows in which errors outside the mask are averaged
 };
 
+#define SCORE_PASSED 0.95 // a check with this share of its points is passed
+
 typedef struct FrameScore {
     double inside;  // share of wrong pixels among those that the task, or the whole lab, changes: the larger,
                     // 0..1

@@ -89,10 +89,21 @@ static bool answer(const Request *request) {
     return sent;
 }
 
+// Names begin at another number for each kind of object: who takes one for another must not be lucky.
+static void spread_names(void) {
+    GLuint names[400];
+    glGenTextures(100, names);
+    glGenSamplers(200, names);
+    glGenRenderbuffers(300, names);
+    glGenFramebuffers(400, names);
+}
+
 static bool start(const char *context) {
     ContextKind kind;
-    return context_parse(&kind, context) && context_create(kind) && draw_create() &&
-           stage_view_create(&worker.stage_view);
+    if (!context_parse(&kind, context) || !context_create(kind))
+        return false;
+    spread_names();
+    return draw_create() && stage_view_create(&worker.stage_view);
 }
 
 int main(int count, char **arguments) {

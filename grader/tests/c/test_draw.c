@@ -1,5 +1,5 @@
 // What varies from exam to exam, and what a rubric may ask to vary.
-#include "exam/draw.h"
+#include "exam/exam_draw.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

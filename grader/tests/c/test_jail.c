@@ -131,6 +131,27 @@ static void assert_nobody_left(pid_t group) {
     assert_int_equal(errno, ECHILD);
 }
 
+// For AddressSanitizer: /proc tells a process of itself, and of nothing else.
+static void test_sees_itself(void **route) {
+    (void)route;
+    NEEDS_ROUTE();
+    static Process process;
+    char script[400];
+    snprintf(script, sizeof script,
+             "read a </proc/self/statm && echo self; exec 2>&-; "
+             "for f in /proc/1/cmdline /proc/1/status /proc/%ld/environ /proc/%ld/status /proc/version "
+             "/proc/cpuinfo; "
+             "do { read a <$f; } && echo got $f; done; echo end",
+             (long)getpid(), (long)getppid());
+    char *arguments[] = {"sh", "-c", script, NULL}, *environment[] = {"PATH=/usr/bin:/bin", NULL};
+    const JailPlan plan = {
+        .kind = JAIL_TOOLS, .limits = {.wall_seconds = 10}, .folder = jail.stage, .sees_itself = true};
+    assert_true(jail_start(&jail, &plan, &process, arguments, environment));
+    process_wait(&process);
+    assert_string_equal(process.text, "self\nend\n");
+    process_stop(&process);
+}
+
 static void test_leaves_nobody(void **route) {
     static Process process;
     (void)route;
@@ -266,7 +287,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         ON(test_some_route_holds, JAIL_NONE), ON_BOTH(test_intact),         ON_BOTH(test_shows_too_much),
         ON_BOTH(test_without_filter),         ON_BOTH(test_without_limits), ON_BOTH(test_without_landlock),
-        ON_BOTH(test_without_shim),           ON_BOTH(test_leaves_nobody),  ON_BOTH(test_killed_at_once),
-        ON_BOTH(test_tells_signals),          ON_BOTH(test_opens_archives), ON_BOTH(test_refuses_archives)};
+        ON_BOTH(test_without_shim),           ON_BOTH(test_sees_itself),    ON_BOTH(test_leaves_nobody),
+        ON_BOTH(test_killed_at_once),         ON_BOTH(test_tells_signals),  ON_BOTH(test_opens_archives),
+        ON_BOTH(test_refuses_archives)};
     return cmocka_run_group_tests(tests, make_archives, remove_archives);
 }

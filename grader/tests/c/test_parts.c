@@ -142,6 +142,23 @@ static void test_processes(void **unused) {
     process_stop(process);
 }
 
+// The memory of a whole group is watched from outside.
+static void test_memory(void **unused) {
+    (void)unused;
+    const ProcessLimits small = {.wall_seconds = 30, .resident_mib = 60},
+                        large = {.wall_seconds = 30, .resident_mib = 2000};
+    const char *const script =
+        "{ head -c 150M /dev/zero; sleep 1; echo; } | tail -n 1 >/dev/null; printf done >&3";
+    char reply[4];
+    Process *process = run(script, &small);
+    assert_false(process_exchange(process, "x", 1, reply, 4));
+    assert_int_equal(process->state, PROCESS_TOO_LARGE);
+    process_stop(process);
+    process = run(script, &large);
+    assert_true(process_exchange(process, "x", 1, reply, 4));
+    process_stop(process);
+}
+
 static bool compiles(const char *folder, const char *text) {
     static char log[COMPILE_LOG], path[FILES_PATH];
     files_join(path, folder, "lab.c");
@@ -162,9 +179,9 @@ static void test_precompiled(void **unused) {
 
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_precompiled), cmocka_unit_test(test_random),
-        cmocka_unit_test(test_meshes),      cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_processes),   cmocka_unit_test(test_shader_files)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_precompiled), cmocka_unit_test(test_random),
+                                       cmocka_unit_test(test_meshes),      cmocka_unit_test(test_scenes),
+                                       cmocka_unit_test(test_processes),   cmocka_unit_test(test_memory),
+                                       cmocka_unit_test(test_shader_files)};
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }

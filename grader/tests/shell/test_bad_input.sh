@@ -66,6 +66,22 @@ grep -A1 "it printed:" <<<"$out" | tail -1 | grep -q "note: in picture @0x1234@$
 put says-a-place 'check_fail("no map @0x1234@ (lab.c:1)");'
 case_ says-a-place 0 "note: no map @0x1234@ (lab.c:1)"
 
+# Where memory was damaged is said where the sanitizer's library is there.
+if [[ -s $root/$BUILD/worker_address ]]; then
+    put overflow 'int *made = malloc(40); for (volatile int i = 0; i <= 10; i++) made[i] = 1; free(made); abort();'
+    line=$(grep -n 'made = malloc' "$(c overflow)" | cut -d: -f1)
+    case_ overflow 1 "it crashed: Aborted (ABRT) in shadow map" \
+        "heap-buffer-overflow in draw_map (lab.c:$line): writes 4 bytes, just past the end of an array of 40 bytes, made at lab.c:$line"
+    solved overflow-08 08 >/dev/null
+    sed -i 's/y < chart->height + atlas->padding;/y <= chart->height + atlas->padding;/; s/x < chart->width + atlas->padding;/x <= chart->width + atlas->padding;/' \
+        "$work"/overflow-08/*/lab.c
+    grades --lab 08 --seed 1 "$work/overflow-08"
+    expect overflow-08 1 "heap-buffer-overflow in pad_chart (lab.c:" "past the end of an array of" "ok     7.00/7   8.8" "ok     6.00/6   8.9"
+    put aborts 'abort();'
+    case_ aborts 1 "it crashed: Aborted (ABRT) in shadow map"
+    grep -q AddressSanitizer <<<"$out" && bad "the sanitizer repeats what is known" "$out" || ok
+fi
+
 limit=${QUICK:+12} limit=${limit:-3} # sanitizers are slow
 timeout=$limit
 put endless-loop 'for (;;) {}'
@@ -147,7 +163,7 @@ case_ short-uniform 1 "the uniform u_light_clip is set but declared neither in s
 
 # What a lecturer wrote: one message and status 3, from every program that reads it.
 home=$work/home
-mkdir -p "$home/build" && cp -r "$root"/{common,shaders,solutions} "$home" && cp -r "$root/$BUILD"/{grade,frame,prove,watch,worker,include} "$home/build" && cp "$root/$BUILD"/jail_* "$home/build"
+mkdir -p "$home/build" && cp -r "$root"/{common,shaders,solutions} "$home" && cp -r "$root/$BUILD"/{grade,frame,prove,watch,worker,include,given} "$home/build" && cp "$root/$BUILD"/jail_* "$home/build"
 rubric() { # FIND REPLACE: changes the rubric of the copy's lab 03
     sed "s|$1|$2|" "$root"/solutions/03-*/rubric.json >"$home/solutions/03-shadow-map/rubric.json"
 }

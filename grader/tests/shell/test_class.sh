@@ -113,7 +113,7 @@ expect "two folders of a lab" 0 "both: 100.00 of 100"
 
 # A fault of ours is nobody's 0: here our own solution is broken. It is tried again once it is fixed.
 mkdir -p "$work/home/build" "$work/few/one" && cp -r solutions/03-shadow-map "$work/few/one"
-cp -r "$root"/{common,shaders,solutions,grader} "$work/home" && cp -r "$BUILD"/{grade,worker,jail_*,include} "$work/home/build"
+cp -r "$root"/{common,shaders,solutions,grader} "$work/home" && cp -r "$BUILD"/{grade,worker,jail_*,include,given} "$work/home/build"
 sed -i 's/^#ifdef SOLUTION/int broken(;\n&/' "$work/home/solutions/03-shadow-map/lab.c"
 grade=$work/home/build/grade
 grades --class "$work/few" --output "$work/fault" --lab 03

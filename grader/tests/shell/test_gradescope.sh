@@ -14,7 +14,7 @@ list=$(python3 -c 'import sys,zipfile
 for i in zipfile.ZipFile(sys.argv[1]).infolist(): print(oct(i.external_attr >> 16), i.filename)' "$BUILD/shadow-lab-gradescope.zip")
 [[ $list == *"755 setup.sh"* && $list == *"755 run_autograder"* ]] && ok || bad "the scripts can be run" "$list"
 mkdir -p "$AUTOGRADER/source/project/build" # instead of setup.sh, which compiles for a minute
-cp -r "$BUILD"/{grade,worker,include} "$BUILD"/jail_* "$AUTOGRADER/source/project/build"
+cp -r "$BUILD"/{grade,worker,include,given} "$BUILD"/jail_* "$AUTOGRADER/source/project/build"
 
 run() { # sets $out to results.json, and $status
     status=0

@@ -160,7 +160,7 @@ expect "a route that is none" 2 '--jail takes bwrap or landlock, not "moon"'
 # A jail weakened on purpose is refused, whichever its route.
 copy=$work/copy
 mkdir -p "$copy/build"
-cp -r "$root/$BUILD"/{grade,worker,include,jail_probe,jail_unpack} "$copy/build"
+cp -r "$root/$BUILD"/{grade,worker,include,given,jail_probe,jail_unpack} "$copy/build"
 ln -s "$root"/{common,shaders,solutions} "$copy"
 cp "$root/$BUILD/weak_filter" "$copy/build/jail_shim"
 without "" "$copy/build/grade" --lab 03 --seed 1 "$work/ours"

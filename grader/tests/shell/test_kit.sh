@@ -28,7 +28,7 @@ rm "$kit/common/leak.h"
 for file in grader/*/*.c common/*.c common/scene/*.c; do
     [[ ! -e $kit/$file ]] || cmp -s "$file" "$kit/$file" || bad "$file differs in the kit"
 done
-mkdir "$kit/build" && cp -r "$BUILD"/{grade,watch,worker,include} "$kit/build" && cp "$BUILD"/jail_* "$kit/build"
+mkdir "$kit/build" && cp -r "$BUILD"/{grade,watch,worker,include,given} "$kit/build" && cp "$BUILD"/jail_* "$kit/build"
 half=$(solved half 03)
 sed -i 's/lit \* diffuse_specular/(0.5 + 0.5 * lit) * diffuse_specular/' "$half/03-shadow-map/shadow.frag"
 mistaken=$(solved mistaken 03)

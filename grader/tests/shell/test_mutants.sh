@@ -8,7 +8,7 @@ copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{common,shaders,solutions} "$copy"
 mkdir -p "$root/$BUILD/cache"
-cp -a "$root/$BUILD"/{mutants,worker,include,cache} "$copy/build" # with its time: the cache goes by the worker's
+cp -a "$root/$BUILD"/{mutants,worker,include,given,cache} "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 
@@ -43,6 +43,8 @@ mutants --lab 03 --only "(3.5): return depth"
 expect "no kind of its own" 0 "| 03 | 0 | 0 |"
 mutants --lab 03 --only "(3.5): xy -> y"
 expect "a swizzle" 0 "| 03 | 2 | 2 | 2 | 0 | 0 | 100.0 |"
+mutants --lab 06 --only "(6.2): sqrtf(square.y) ->"
+expect "a change of a header" 0 "| 06 | 1 | 1 | 1 | 0 | 0 | 100.0 |"
 mutants --lab 01 --only "(1.1): max(facing, 0.0) ->"
 expect "a dropped max" 0 "| 01 | 2 | 2 | 2 | 0 | 0 | 100.0 |"
 sed -i 's/    if (position_light_clip.w <= 0.0)/    while (position_light_clip.w <= 0.0)/' $three/shadow.frag
@@ -50,7 +52,7 @@ mutants --lab 03 --list --only "(3.7)"
 expect "a list" 0 "03 shadow.frag:" "(3.7): <= -> <"
 
 mutants --lab 77
-expect "no such lab" 3 'there is no lab "77"'
+expect "no such lab" 2 'there is no lab "77"'
 for wrong in "--seeds 0" "-j 0" "--frobnicate" "03"; do
     mutants $wrong
     expect "$wrong" 2 "usage: build/mutants"

@@ -7,7 +7,7 @@ copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{Makefile,common,shaders,labs,solutions,grader,.clang-format} "$copy"
 mkdir -p "$root/$BUILD/cache"
-cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
+cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,given,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 
@@ -65,6 +65,9 @@ broken "an include that points up" "common/scene/random.c:3: scene includes draw
 broken "a package in a room that does not know it" "only truth may include embree3/rtcore.h" "sed -i '2a #include <embree3/rtcore.h>' common/scene/random.c"
 broken "an include without its room" "names no file from common/ or grader/ on" "sed -i '2a #include \"score.h\"' common/scene/random.c"
 broken "a circle" "a circle: common/scene/scene -> common/scene/random -> common/scene/scene" "sed -i '2a #include \"scene/scene.h\"' common/scene/random.c"
+broken "two types of one name" "Process: common/scene/random.h grader/base/process.h" "echo 'typedef struct Process { int id; } Process;' >>common/scene/random.h"
+broken "two modules of one name" "pipe.c: common/pipe.h grader/base/pipe." "cp common/scene/count.h common/pipe.h"
+broken "two files of one name" "page.css: common/page.css grader/pages/page.css" "cp grader/pages/page.css common"
 broken "a missing picture" "picture.png is missing" "rm labs/03-shadow-map/map.png labs/03-shadow-map/picture.png"
 
 # Students' helpers.

@@ -33,7 +33,7 @@ copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{common,shaders,solutions,grader} "$copy"
 cp -r "$root/solutions" "$copy/labs"
-cp -r "$root/$BUILD"/{frame,worker,include} "$copy/build"
+cp -r "$root/$BUILD"/{frame,worker,include,given} "$copy/build"
 cd "$copy" || exit 1
 if command -v apitrace >/dev/null; then
     runs grader/scripts/trace 03

@@ -8,7 +8,7 @@ command -v tmux >/dev/null || { echo "tmux is missing: common/setup --test"; ech
 copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{common,shaders,labs,solutions} "$copy"
-cp -r "$root/$BUILD"/{watch,worker,skeletons,include} "$copy/build"
+cp -r "$root/$BUILD"/{watch,worker,skeletons,include,given} "$copy/build"
 [[ -d $root/$BUILD/cache ]] && cp -r "$root/$BUILD/cache" "$copy/build"
 find "$root/$BUILD" -maxdepth 1 -name 'jail_*' -exec cp {} "$copy/build" \;
 cd "$copy" || exit 1

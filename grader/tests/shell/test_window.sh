@@ -152,6 +152,7 @@ cp "$root/$BUILD"/{view,worker} "$work/kit/$BUILD"
 for part in labs shaders common; do ln -s "$root/$part" "$work/kit/$part"; done
 ln -s "$root/grader/window" "$work/kit/grader/window"
 ln -s "$root/$BUILD/include" "$work/kit/$BUILD/include"
+ln -s "$root/$BUILD/given" "$work/kit/$BUILD/given"
 view=$work/kit/$BUILD/view
 headless --skeleton
 open_window

@@ -1,4 +1,4 @@
-#include "exam/draw.h"
+#include "exam/exam_draw.h"
 
 #include <math.h>
 #include <stdio.h>

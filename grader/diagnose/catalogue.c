@@ -1,0 +1,147 @@
+#include "diagnose/catalogue.h"
+
+#include "compile/functions.h"
+#include "compile/lab_folder.h"
+#include "exam/exam_matrix.h"
+#include "exam/frame_score.h"
+#include "scene/check.h"
+#include "score/error_kind.h"
+#include "score/score.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+// A picture belongs to a mistake when it is this much nearer to the mistake's picture than to the reference.
+static const double NEAR = 0.2;
+// Another mistake draws nearly the same when it is not farther than this much of the distance to the
+// reference.
+static const double ALIKE = 0.02;
+// What another size of a stage, or a refused call, is worth beside a distance of pictures (0 to 255).
+static const double FACT_DISTANCE = 64;
+
+// Where our text of the file has the bytes: the function's name, "" outside of functions.
+static void name_place(char name[FUNCTIONS_NAME], const char *text, const char *find) {
+    static Functions functions;
+    const char *at = strstr(text, find);
+    name[0] = '\0';
+    functions_split(&functions, text);
+    for (int i = 0; at && i < functions.count; i++)
+        if (at + strlen(find) > text + functions.list[i].begin && at < text + functions.list[i].end)
+            memcpy(name, functions.list[i].name, FUNCTIONS_NAME);
+}
+
+static bool edit_lies_in(const Edit *edit, const FaultPart *part, const Rubric *rubric) {
+    char name[FUNCTIONS_NAME];
+    if (strcmp(edit->file, part->file) != 0)
+        return false;
+    if (part->whole)
+        return true;
+    int file = 0;
+    while (file < rubric->file_count - 1 && strcmp(rubric->files[file], edit->file) != 0)
+        file++;
+    char *text = lab_folder_source(rubric, file, (Solved){SOLVED_ALL, NULL});
+    if (text)
+        name_place(name, text, edit->find);
+    const bool same = text && strcmp(name, part->ours) == 0;
+    free(text);
+    return same;
+}
+
+static bool lies_in_fault(const Change *mistake, const Fault *fault, const Rubric *rubric) {
+    for (int e = 0; e < mistake->edit_count; e++)
+        for (int i = 0; i < fault->count; i++)
+            if (edit_lies_in(&mistake->edits[e], &fault->parts[i], rubric))
+                return true;
+    return false;
+}
+
+// Of a frame of the student's from one of ours, in pixels and in what it tells beside them.
+static double distance_to(const CheckResult *check, int n, const Image *ours, const FrameFacts *facts) {
+    double distance = score_rmse(&check->yours[n], ours);
+    distance += frame_wrong_size(&check->facts[n], facts) ? FACT_DISTANCE : 0;
+    return distance + (check->facts[n].refused != facts->refused ? FACT_DISTANCE : 0);
+}
+
+// Sum of the distances to the mistake in one check; INFINITY when it is not near; below 0: ours cannot draw.
+static double distance_in(const CheckResult *check, int m, int c, Exam *exam, double *to_reference) {
+    double sum = 0, reference = 0;
+    for (int n = 0; n < check->check->variants; n++) {
+        const Image *theirs = exam_mistake(exam, m, c, n);
+        if (!theirs)
+            return -1;
+        reference += distance_to(check, n, &exam->variants[c][n].reference, &exam->variants[c][n].facts);
+        sum += distance_to(check, n, theirs, &exam->mistakes[m][c][n].facts);
+    }
+    *to_reference += reference;
+    return sum <= NEAR * reference ? sum : INFINITY;
+}
+
+static bool shows_anything(const CheckResult *check) {
+    return check->yours[check->worst].rgba && !error_kind_is_plain(&check->yours[check->worst]);
+}
+
+static bool any_shows(const LabResult *result, const bool failed[]) {
+    for (int c = 0; c < result->check_count; c++)
+        if (failed[c] && shows_anything(&result->checks[c]))
+            return true;
+    return false;
+}
+
+// Of all checks in question, or with `shown` of those that show anything.
+static double distance(const LabResult *result, int m, Exam *exam, const bool failed[], bool shown,
+                       double *to_reference) {
+    double sum = 0;
+    *to_reference = 0;
+    for (int c = 0; c < result->check_count && sum < INFINITY; c++) {
+        const CheckResult *check = &result->checks[c];
+        if (!failed[c] || (shown && !shows_anything(check)))
+            continue;
+        const double own =
+            check->yours[check->worst].rgba ? distance_in(check, m, c, exam, to_reference) : INFINITY;
+        if (own < 0)
+            return -1;
+        sum += own;
+    }
+    return sum;
+}
+
+// Does a check pass that fails with the mistake?
+static bool is_contradicted(const LabResult *result, int m, Exam *exam) {
+    for (int c = 0; c < result->check_count; c++)
+        if (result->checks[c].passed && exam_with_mistake(exam, m, c) != EXAM_PASSES)
+            return true;
+    return false;
+}
+
+bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[]) {
+    const Rubric *rubric = exam->rubric;
+    double nearest = INFINITY, next = INFINITY, reference = 0;
+    const bool shown = any_shows(result, failed);
+    *named = (Named){-1, -1, !shown};
+    if (!shown && result->fault.count == 0)
+        return true;
+    INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);
+    for (int m = 0; m < rubric->mistake_count; m++) {
+        const Change *mistake = &rubric->mistakes[m];
+        if (result->fault.count > 0 && !lies_in_fault(mistake, &result->fault, rubric))
+            continue;
+        const double own = distance(result, m, exam, failed, shown, &reference);
+        if (own < 0)
+            return false;
+        if (own == INFINITY || (!shown && own > 0) || is_contradicted(result, m, exam))
+            continue;
+        if (own < nearest) {
+            next = nearest;
+            named->second = named->first;
+            nearest = own;
+            named->first = m;
+        } else if (own < next) {
+            next = own;
+            named->second = m;
+        }
+    }
+    if (next > nearest + ALIKE * reference)
+        named->second = -1;
+    return true;
+}
