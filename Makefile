@@ -55,7 +55,7 @@ pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
 contexts: build ## do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
 	@$(SCRIPTS)/contexts $(BUILD) $(LAB_OPERAND)
 
-table: build ## measure the scenes, prove the rubrics, try all mutants, and put the tables into grader/README.md
+table: build ## measure the scenes, prove the rubrics, try all mutants, and put the tables into grader/proof/
 	@$(SCRIPTS)/table
 
 mutants: build ## does each rubric notice every small change of its solution? make mutants [LAB=03] [ARGS="--seeds 3"]

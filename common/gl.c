@@ -1,3 +1,5 @@
+// Every call of OpenGL goes through the two functions that glad calls before and after it: they keep the
+// first error with the name and the place of its call, and say what a framebuffer lacks.
 #include "gl.h"
 
 #include "scene/check.h"

@@ -1,3 +1,5 @@
+// Puts back each state of OpenGL 4.1 that a lab can leave changed, group after group, to what the standard
+// says a new context has.
 #include "gl_state.h"
 
 #include "scene/count.h"

@@ -1,3 +1,5 @@
+// Compiles and links the files of a program, with messages that name the shader's file and line, and finds
+// uniforms by name: one that no shader mentions is a fault, one that the compiler left out is none.
 #include "program.h"
 
 #include "scene/check.h"

@@ -1,3 +1,4 @@
+// Makes a chart of each flat face and places the charts in rows, from the bottom up.
 #include "scene/atlas.h"
 
 #include "scene/check.h"

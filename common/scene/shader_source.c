@@ -1,3 +1,5 @@
+// Reads a shader file and, in the place of each #include, that file; keeps #line marks, by which it turns the
+// numbers in the compiler's messages into names of files.
 #include "scene/shader_source.h"
 
 #include "scene/check.h"

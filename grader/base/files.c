@@ -1,3 +1,5 @@
+// Reads and writes whole files: of ours, of strangers (never through a link), and so that a file is there
+// whole or not at all; makes, lists and removes folders.
 #include "base/files.h"
 
 #include "scene/check.h"

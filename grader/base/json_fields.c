@@ -1,3 +1,5 @@
+// Holds an object against the table of its keys, and makes the one message that says what is wrong and what
+// to write instead.
 #include "base/json_fields.h"
 
 #include "base/files.h"

@@ -1,3 +1,4 @@
+// Each function reads one kind of value (a seed, a size, a lab, a context) or says what the option takes.
 #include "base/option_values.h"
 
 #include "base/places.h"

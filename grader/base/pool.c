@@ -1,3 +1,5 @@
+// One loop in the parent gives jobs to its children over sockets, waits for outcomes, and starts another
+// child in the place of one that died or took too long.
 #include "base/pool.h"
 
 #include "scene/check.h"

@@ -1,3 +1,4 @@
+// Reads UTF-8 strictly and writes every other byte as \xNN, so that each text stands for one name; and back.
 #include "base/printable.h"
 
 #include "base/hash.h"

@@ -1,3 +1,5 @@
+// Starts a child in a session of its own with its limits, moves bytes both ways with one poll, and kills and
+// collects all that it left.
 #include "base/process.h"
 
 #include "base/memory.h"

@@ -1,3 +1,5 @@
+// The way of a class run: read the folder, fix the settings, grade what has no record yet by several
+// processes, and then write the tables from the records alone.
 #include "class/class.h"
 
 #include "scene/check.h"

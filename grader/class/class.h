@@ -1,5 +1,5 @@
 // Grades a whole class: one submission a folder or archive, some at a time, in a way that can be stopped at
-// any moment and taken up again. See grader/README.md.
+// any moment and taken up again. See grader/class/README.md.
 #pragma once
 
 #include "class/class_settings.h"

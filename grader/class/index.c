@@ -1,3 +1,5 @@
+// Writes the page's parts one after the other: the distribution of scores, the commonest mistakes, who needs
+// a look, and all students.
 #include "class/index.h"
 
 #include "scene/check.h"

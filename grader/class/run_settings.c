@@ -1,3 +1,4 @@
+// Reads or writes OUT/class.json, refuses settings that differ from it, and holds the lock of the run.
 #include "class/run_settings.h"
 
 #include "scene/check.h"

@@ -1,3 +1,5 @@
+// Runs gcc in the jail with fixed arguments, takes its lab.so, and asks addr2line for the line of a place in
+// it.
 #include "compile/compiler.h"
 
 #include "scene/check.h"

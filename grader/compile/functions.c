@@ -1,3 +1,5 @@
+// Walks over a file's tokens with a count of braces and notes where each definition at the top begins and
+// ends; compares definitions by their tokens.
 #include "compile/functions.h"
 
 #include "compile/tokens.h"

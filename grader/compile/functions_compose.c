@@ -1,3 +1,5 @@
+// Puts a file together from two versions: their text, with the chosen functions of ours in their places, and
+// those that these call.
 #include "compile/functions.h"
 
 #include "compile/tokens.h"

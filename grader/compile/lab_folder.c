@@ -1,3 +1,5 @@
+// Makes a lab's folder: from our annotated source with a choice of tasks and edits (kept in build/cache by a
+// hash), or from a submission's files.
 #include "compile/lab_folder.h"
 
 #include "scene/check.h"

@@ -1,5 +1,8 @@
 // What a lab is graded by: solutions/NN-name/rubric.json, mistakes.json, alternatives.json and hints.json,
 // read once (rubric_file.h).
+//
+// Interface: rubric_load (rubric_file.h) fills a Rubric, rubric_destroy frees it; between them it is read
+// only. rubric_task, rubric_hint, rubric_mistake and rubric_alternative find parts of it.
 #pragma once
 
 #include "base/json_fields.h"

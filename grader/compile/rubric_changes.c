@@ -1,3 +1,4 @@
+// Reads the lists of edits (mistakes, alternatives) and of hints, entry by entry.
 #include "compile/rubric_changes.h"
 
 #include "compile/rubric_names.h"

@@ -1,3 +1,4 @@
+// The tables of the keys of rubric.json and of a check, and the way through all files of a lab's rubric.
 #include "compile/rubric_file.h"
 
 #include "compile/rubric_changes.h"

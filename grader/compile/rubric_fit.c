@@ -1,3 +1,4 @@
+// Holds views, knobs and their ranges against the lab's table, and tasks and edits against its sources.
 #include "compile/rubric_fit.h"
 
 #include "compile/lab_folder.h"

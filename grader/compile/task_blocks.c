@@ -1,3 +1,5 @@
+// A small state machine over the lines of a source: which half of which task a line stands in, and whether it
+// is kept.
 #include "compile/task_blocks.h"
 
 #include "scene/check.h"

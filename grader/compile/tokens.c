@@ -1,3 +1,4 @@
+// Cuts a source into words, past comments, strings and directives, and compares words.
 #include "compile/tokens.h"
 
 #include <ctype.h>

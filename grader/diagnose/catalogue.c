@@ -1,3 +1,5 @@
+// Measures, for each known mistake, how far the student's pictures are from the mistake's and from the
+// reference, and keeps the one that fits all failed checks.
 #include "diagnose/catalogue.h"
 
 #include "compile/functions.h"

@@ -1,3 +1,5 @@
+// The order of a diagnosis: what is not done is set apart, then the part with the fault, the tasks that can
+// be at fault, a known mistake, and last what the pictures show. grader/diagnose/README.md gives the reasons.
 #include "diagnose/diagnose.h"
 
 #include "diagnose/swap.h"

@@ -1,5 +1,7 @@
 // Says why checks failed: a task is not done, or where the fault is, which known mistake it is, and what is
 // wrong with the pictures.
+//
+// Interface: diagnose, after grade_frames has filled the result; evidence_attach (evidence.h) adds pictures.
 #pragma once
 
 #include "diagnose/result.h"

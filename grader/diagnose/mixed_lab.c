@@ -1,3 +1,5 @@
+// Writes the student's files with some of our parts into a folder of its own, compiles and draws it in the
+// jail, and tells only how many failed checks pass.
 #include "diagnose/mixed_lab.h"
 
 #include "base/files.h"

@@ -1,3 +1,4 @@
+// Lists the parts that differ from ours, tries the likely first, keeps those with which failed checks pass.
 #include "diagnose/swap.h"
 
 #include "compile/lab_folder.h"

@@ -1,3 +1,4 @@
+// The sentences of a diagnosis, each in one function.
 #include "diagnose/wording.h"
 
 #include "scene/check.h"

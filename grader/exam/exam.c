@@ -1,3 +1,5 @@
+// Draws variants until enough are worth asking, and later pictures (mistakes, partly solved labs) when they
+// are first asked for.
 #include "exam/exam.h"
 
 #include "scene/check.h"

@@ -1,5 +1,9 @@
 // The frames that a lab is graded by: for each check of the rubric some variants drawn from a seed, with what
 // the solution draws for them, what it draws without the check's task and what the skeleton draws.
+//
+// Interface: exam_create draws them from a seed (exam_restore: only the requests), exam_destroy frees them.
+// Then read exam->variants[check][n]; ask exam_mistake, exam_partial and exam_also for more pictures of one.
+// exam_acceptable says which variants are taken.
 #pragma once
 
 #include "exam/painters.h"

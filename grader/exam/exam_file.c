@@ -1,3 +1,5 @@
+// Writes an exam as JSON and strips of frames, one PNG a check, and reads it back: same requests, same
+// pictures.
 #include "exam/exam_file.h"
 
 #include "scene/check.h"

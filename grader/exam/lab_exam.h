@@ -8,7 +8,7 @@
 typedef struct GradeOptions {
     ContextKind context;
     double seconds;  // that a submission may run, per lab
-    double patience; // see client.h
+    double patience; // see worker_client.h
     uint64_t seed;
     const Jail *jail; // NULL: their author grades them, outside
     bool untimed;     // do not compare times with the solution's

@@ -1,5 +1,8 @@
 // Everything of ours that draws for one lab: the solution, the skeleton, the solution without one task, with
 // one mistake. Each is built when it is first asked for; all of them draw in one worker process.
+//
+// Interface: fill in rubric and context; painters_get builds one of ours, painters_draw lets it draw a
+// request, painters_fit holds the rubric against its lab, painters_destroy ends the worker.
 #pragma once
 
 #include "base/limits.h"

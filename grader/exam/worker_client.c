@@ -1,3 +1,5 @@
+// Sends a request to a worker and takes exactly one reply; what comes instead (a crash, silence, nonsense)
+// becomes a message for people.
 #include "exam/worker_client.h"
 
 #include "scene/check.h"

@@ -1,4 +1,8 @@
 // Our end of a worker process: one lab, asked for frames.
+//
+// Interface: fill in folder, trust, jail, context and seconds; worker_client_draw asks for one frame,
+// worker_client_describe for the lab's table; both start the process when it does not run. A lost worker
+// stays lost until worker_client_restart. worker_client_stop ends it. One thread at a time.
 #pragma once
 
 #include "scene/context_kind.h"

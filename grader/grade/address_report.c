@@ -1,3 +1,5 @@
+// Looks in AddressSanitizer's report for the first line of each stack that lies in a file of the lab, and
+// makes one sentence of the kind of fault, the function and the places.
 #include "grade/address_report.h"
 
 #include "scene/check.h"
@@ -7,9 +9,9 @@
 
 enum { PLACE = 128 };
 
-typedef struct Place {
+typedef struct LabPlace {
     char function[PLACE / 2], where[PLACE]; // "bake", "lab.c:80"
-} Place;
+} LabPlace;
 
 static bool is_of_lab(const char *file, const Rubric *rubric) {
     for (int i = 0; i < rubric->file_count; i++)
@@ -20,7 +22,7 @@ static bool is_of_lab(const char *file, const Rubric *rubric) {
 
 // The first frame in a file of the lab, of the stack that begins at `stack` and ends with an empty line:
 // "    #0 0x7f81670b0f32 in pad_chart lab.c:80".
-static bool find_place(Place *place, const char *stack, const Rubric *rubric) {
+static bool find_place(LabPlace *place, const char *stack, const Rubric *rubric) {
     for (const char *line = stack; line && *line && *line != '\n';) {
         char path[256], name[64];
         int number;
@@ -39,7 +41,7 @@ static bool find_place(Place *place, const char *stack, const Rubric *rubric) {
 }
 
 // The stack behind the line with these words.
-static bool find_place_after(Place *place, const char *report, const char *words, const Rubric *rubric) {
+static bool find_place_after(LabPlace *place, const char *report, const char *words, const Rubric *rubric) {
     const char *line = strstr(report, words);
     line = line ? strchr(line, '\n') : NULL;
     return line && find_place(place, line + 1, rubric);
@@ -62,7 +64,7 @@ static void append_access(char *text, size_t size, const char *kind, const char 
 static void append_heap(char *text, size_t size, const char *report, const Rubric *rubric) {
     unsigned long distance, length;
     char side[32];
-    Place made;
+    LabPlace made;
     const char *located = strstr(report, " is located ");
     if (!located)
         return;
@@ -103,7 +105,7 @@ static void append_variable(char *text, size_t size, const char *report) {
 bool address_report_read(char *text, size_t size, const char *printed, const Rubric *rubric) {
     static const char head[] = "ERROR: AddressSanitizer: ";
     char kind[64] = "";
-    Place place;
+    LabPlace place;
     const char *report = strstr(printed, head);
     const char *stack = report ? strstr(report, "\n    #0 ") : NULL;
     if (!stack || sscanf(report + strlen(head), "%63s", kind) != 1 ||

@@ -1,3 +1,5 @@
+// The way of one lab: take the files, compile, draw each check's variants, score them, diagnose, and give
+// warnings and the ratio of times.
 #include "grade/grade_lab.h"
 
 #include "grade/address.h"

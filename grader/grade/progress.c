@@ -1,3 +1,5 @@
+// Reads, changes and writes the file of the progress under a lock; a file that is no progress is set aside,
+// never overwritten.
 #include "grade/progress.h"
 
 #include "scene/check.h"

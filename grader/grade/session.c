@@ -1,3 +1,5 @@
+// Grades lab after lab of a submission with one set of options, and keeps each lab's exam for the next
+// submission where asked to.
 #include "grade/session.h"
 
 #include "scene/check.h"

@@ -1,3 +1,5 @@
+// Puts the command line together: bwrap with its mounts where that is the route, then the shim with its
+// limits, then the program.
 #include "jail/bwrap_command.h"
 
 #include "scene/check.h"

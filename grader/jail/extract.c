@@ -1,3 +1,5 @@
+// Sends the archive to the unpacker in the jail and writes the files that it tells of, after a look at each
+// name and size.
 #include "jail/extract.h"
 
 #include "scene/check.h"

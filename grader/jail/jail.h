@@ -4,6 +4,9 @@
 // mounted but what it needs; without user namespaces Landlock alone keeps it from all other files. On both
 // the shim (inside/shim.c) sets the limits, Landlock and the list of allowed system calls before the
 // untrusted code begins.
+//
+// Interface: jail_choose (jail_choose.h) finds a route that holds and fills a Jail; jail_start runs a program
+// in it by a JailPlan (plan.h); jail_part tells where our parts lie inside; jail_destroy removes them.
 #pragma once
 
 #include "jail/plan.h"

@@ -1,3 +1,4 @@
+// Copies our worker, shaders, headers and the jail's programs to a private folder, and removes it at the end.
 #include "jail/stage.h"
 
 #include "scene/check.h"

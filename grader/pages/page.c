@@ -1,3 +1,4 @@
+// Puts a page together in memory from shell.html and page.css: text is escaped, pictures are written into it.
 #include "pages/page.h"
 
 #include "scene/check.h"

@@ -1,6 +1,6 @@
 // mutants: does each rubric notice every small change
 // of its solution? Makes them all (proof/mutations.h), grades each like a submission, over the seeds 1 to N
-// (default 1) until a check fails, and prints those that pass and a table (Markdown, for grader/README.md).
+// (default 1) until a check fails, and prints those that pass and a table (Markdown).
 // Exit status 1 when a change passes that equal.json does not call equal in effect, or when it is wrong about
 // one; 3 when something could not be graded.
 #include "base/command_line.h"

@@ -1,6 +1,6 @@
 // prove: proves a rubric. Over N seeds it draws, for each lab, the
 // solution, the skeleton, the lab solved up to each task, each catalogued mistake and each alternative,
-// grades them like a submission and prints a table (Markdown, for grader/README.md). Exit status 3 when
+// grades them like a submission and prints a table (Markdown, for grader/proof/PROOFS.md). Exit status 3 when
 // something of ours cannot be drawn, else 1 when one of them is not graded as it should be: solution and
 // alternatives 100 %, skeleton 0 on every check, no task takes points away, mistakes below the pass mark and
 // named correctly. `N passed, N failed` counts rows.

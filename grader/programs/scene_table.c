@@ -1,5 +1,5 @@
 // scene_table: what each lab's scenes are made of, and how much the graded views need it; prints a table
-// (Markdown, for grader/README.md).
+// (Markdown, for grader/proof/SCENES.md).
 #include "scene/check.h"
 #include "compile/rubric_file.h"
 #include "proof/scene_needs.h"

@@ -1,4 +1,5 @@
-// watch: grades a lab whenever one of its files is saved, and says what to do next. See grader/README.md.
+// watch: grades a lab whenever one of its files is saved, and says what to do next. See
+// grader/watch/README.md.
 #include "base/file_watch.h"
 #include "scene/check.h"
 #include "base/command_line.h"
@@ -19,10 +20,10 @@ enum { EXIT_DONE, EXIT_OPEN, EXIT_FAULT = 3, LOOK_EVERY = 100, PLAIN_WIDTH = 100
 
 typedef struct Watch {
     LabBoard board;
-    GradingProcess bench;
+    GradingProcess grading;
     Viewer viewer;
     FileWatch changes[COURSE_MAX_LABS];
-    bool entered; // the lab on the desk has just come there, and is to be graded
+    bool entered; // the current lab was just chosen, and is to be graded
     bool listing, dirty, end;
     int marked; // in the list
     bool color;
@@ -66,7 +67,7 @@ static const CommandLine command_line = {
 static void ask(Watch *watch) {
     watch->entered = false;
     watch->dirty = true;
-    if (grading_process_ask(&watch->bench, watch->board.current))
+    if (grading_process_ask(&watch->grading, watch->board.current))
         return;
     snprintf(watch->board.message, sizeof watch->board.message, "%s", check_message());
     check_clear();
@@ -78,12 +79,12 @@ static void turn_to(Watch *watch, int lab) {
     watch->entered = watch->dirty = true;
 }
 
-// Grades the lab on the desk when it was saved or has just come there. Another lab that is saved comes to the
-// desk; several at once are not a student's doing (git is at work) and change nothing.
+// Grades the current lab when it was saved or just chosen. Another lab that is saved becomes the current
+// one; several at once are not a student's doing (git is at work) and change nothing.
 static void look(Watch *watch) {
     bool own = watch->entered;
     int others = 0, other = -1;
-    if (watch->bench.busy)
+    if (watch->grading.busy)
         return;
     for (int lab = 0; lab < watch->board.lab_count; lab++) {
         const bool saved = file_watch_found(&watch->changes[lab]);
@@ -115,7 +116,7 @@ static void take_verdict(Watch *watch) {
     LabBoard *board = &watch->board;
     const Rubric *rubric = &board->rubrics[board->current];
     watch->dirty = true;
-    if (!grading_process_take(&watch->bench) || !lab_board_take(board, &watch->bench.verdict))
+    if (!grading_process_take(&watch->grading) || !lab_board_take(board, &watch->grading.verdict))
         return;
     const int next = lab_board_next(board);
     snprintf(board->message, sizeof board->message, "Lab %s is done: %.0f of %.0f points. %s%s%s", rubric->id,
@@ -168,8 +169,8 @@ static void draw(Watch *watch) {
     if (watch->listing)
         screens_list(&sheet, &watch->board, watch->marked);
     else
-        screens_lab(&sheet, &watch->board, watch->bench.busy);
-    screens_footer(footer, sizeof footer, &watch->board, watch->listing, watch->bench.busy);
+        screens_lab(&sheet, &watch->board, watch->grading.busy);
+    screens_footer(footer, sizeof footer, &watch->board, watch->listing, watch->grading.busy);
     sheet_show(&sheet, footer, columns, rows, watch->color);
     watch->dirty = false;
 }
@@ -187,7 +188,7 @@ static void watch_terminal(Watch *watch) {
             watch->dirty = true;
         if (watch->dirty)
             draw(watch);
-        const Event event = terminal_wait(watch->bench.busy ? watch->bench.verdicts : -1, LOOK_EVERY);
+        const Event event = terminal_wait(watch->grading.busy ? watch->grading.verdicts : -1, LOOK_EVERY);
         watch->end = event.end;
         watch->dirty = watch->dirty || event.redraw;
         if (event.readable)
@@ -201,9 +202,9 @@ static void watch_terminal(Watch *watch) {
 static void print_once(Watch *watch) {
     static Sheet sheet;
     ask(watch);
-    while (watch->bench.busy && !grading_process_take(&watch->bench))
+    while (watch->grading.busy && !grading_process_take(&watch->grading))
         ;
-    lab_board_take(&watch->board, &watch->bench.verdict);
+    lab_board_take(&watch->board, &watch->grading.verdict);
     sheet_begin(&sheet, PLAIN_WIDTH);
     screens_lab(&sheet, &watch->board, false);
     sheet_print(&sheet, stdout, false);
@@ -225,7 +226,7 @@ static int run(Watch *watch, const WatchCommand *command) {
     }
     if (terminal_open()) {
         watch_terminal(watch);
-        grading_process_stop(&watch->bench);
+        grading_process_stop(&watch->grading);
         terminal_close();
         printf("%.0f of %.0f points; `make watch` goes on\n", lab_board_score(&watch->board),
                lab_board_max_score(&watch->board));
@@ -262,10 +263,10 @@ int main(int count, char **arguments) {
     }
     command.grading.folder = command.folder;
     command.grading.rubrics = watch.board.rubrics;
-    watch.bench.options = command.grading;
+    watch.grading.options = command.grading;
     watch.color = !getenv("NO_COLOR");
     const int status = run(&watch, &command);
-    grading_process_stop(&watch.bench);
+    grading_process_stop(&watch.grading);
     lab_board_destroy(&watch.board);
     return status;
 }

@@ -1,3 +1,4 @@
+// Reads a lab's equal.json and finds the entry that names a change.
 #include "proof/equal.h"
 
 #include "base/files.h"

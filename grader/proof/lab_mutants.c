@@ -1,3 +1,5 @@
+// Lists the changes of a lab's sources, lets a pool of processes try those that are left seed after seed, and
+// reports the ones that no seed noticed.
 #include "proof/lab_mutants.h"
 
 #include "base/pool.h"

@@ -1,3 +1,4 @@
+// Keeps changes once each and only inside of answers, writes one for people, and applies it to a text.
 #include "proof/mutant.h"
 
 #include "scene/check.h"

@@ -5,10 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#define ATTACHMENTS                                                                                          \
-    "GL_COLOR_ATTACHMENT0 GL_COLOR_ATTACHMENT1 GL_DEPTH_ATTACHMENT GL_DEPTH_STENCIL_ATTACHMENT GL_NONE "     \
-    "GL_BACK"
-
 // Names that may stand in each other's place: GL constants, calls that come in pairs, fields of a scene.
 static const char *const groups[] = {
     "GL_NEAREST GL_LINEAR GL_NEAREST_MIPMAP_NEAREST GL_LINEAR_MIPMAP_LINEAR",
@@ -26,7 +22,8 @@ static const char *const groups[] = {
     "GL_UNSIGNED_BYTE GL_FLOAT GL_INT",
     "GL_TEXTURE_2D GL_TEXTURE_3D",
     "GL_FRAMEBUFFER GL_DRAW_FRAMEBUFFER GL_READ_FRAMEBUFFER",
-    ATTACHMENTS,
+    "GL_COLOR_ATTACHMENT0 GL_COLOR_ATTACHMENT1 GL_DEPTH_ATTACHMENT GL_DEPTH_STENCIL_ATTACHMENT",
+    "GL_NONE GL_COLOR_ATTACHMENT0 GL_BACK",
     "GL_COLOR_BUFFER_BIT GL_DEPTH_BUFFER_BIT GL_STENCIL_BUFFER_BIT",
     "GL_COLOR GL_DEPTH GL_STENCIL",
     "GL_DEPTH_TEST GL_STENCIL_TEST GL_BLEND GL_CULL_FACE GL_POLYGON_OFFSET_FILL GL_SCISSOR_TEST",

@@ -1,3 +1,5 @@
+// Takes each object of an exam's scenes away, draws solution and solution without the task again, and counts
+// what shows something else.
 #include "proof/scene_needs.h"
 
 #include "scene/check.h"

@@ -39,6 +39,6 @@ const char *scene_needs_excuse(const char *scene, int object);
 // Triangles of all objects of a scene: what each pass draws.
 int scene_needs_triangles(const Scene *scene);
 
-// What the scene is made of, as the table in grader/README.md says it: "| lab | scene | planes | boxes |
-// spheres | triangles |".
+// What the scene is made of, as the table in grader/proof/SCENES.md says it: "| lab | scene | planes | boxes
+// | spheres | triangles |".
 void scene_needs_describe(char text[ECONOMY_TEXT], const char *lab, const SceneNeeds *economy);

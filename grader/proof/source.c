@@ -1,3 +1,4 @@
+// Cuts an annotated source into words, marks those of the answers, and pairs brackets.
 #include "proof/source.h"
 
 #include "compile/tokens.h"

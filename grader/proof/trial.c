@@ -1,3 +1,4 @@
+// Writes the changed solution into a folder, builds it, and grades it as a submission until a check fails.
 #include "proof/trial.h"
 
 #include "compile/lab_folder.h"

@@ -1,6 +1,9 @@
 // What a client and the worker say to each other, through two pipes on one machine: for each Request one
 // Reply, followed by exactly width * height * 4 bytes of RGBA pixels (top row first), also when the lab
 // failed; or, when the request asks for it, by a Description.
+//
+// Interface: Request and Reply, of which each side writes and reads whole ones (base/pipe.h); the names of
+// views; the bounds of what either side may send. A client trusts no byte of a Reply (description.h).
 #pragma once
 
 #include "lab.h"

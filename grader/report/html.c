@@ -1,3 +1,4 @@
+// The report of one submission as a page: each check with its cause and the pictures of what failed.
 #include "report/report.h"
 
 #include "pages/page.h"

@@ -1,3 +1,4 @@
+// Tries kinds in turn, from nothing drawn over shifts and edges to colours, and names the first that fits.
 #include "score/error_kind.h"
 
 #include "scene/check.h"

@@ -1,3 +1,4 @@
+// The two parts of a score, inside and outside of the masks, and plain metrics of pictures.
 #include "score/score.h"
 
 #include "scene/check.h"

@@ -1,4 +1,7 @@
-// How wrong a picture is, from the pixels alone. grader/README.md gives the reasons. No GL.
+// How wrong a picture is, from the pixels alone. README.md beside it gives the reasons. No GL.
+//
+// Interface: score_frame scores a picture against three of ours; score_pixel, score_count, score_rmse and
+// score_mask compare two pictures; score_not_finite looks at one. Pure functions, from any thread.
 #pragma once
 
 #include "scene/image.h"

@@ -10,13 +10,29 @@ const read = (name) => readFileSync(new URL(name, import.meta.url), "utf8");
 const shell = read("../pages/shell.html"), style = read("../pages/base.css") + read("style.css");
 const policy = "img-src 'self' file: data:";
 
+// What each room of the grader says of itself: its README first, and then its tables.
+function rooms() {
+  const group = "Rooms of the grader";
+  const folders = readdirSync("grader").filter((name) => statSync(`grader/${name}`).isDirectory()).sort();
+  return folders.flatMap((room) => {
+    const tables = readdirSync(`grader/${room}`).filter((name) => name.endsWith(".md") && name !== "README.md").sort();
+    const page = (name, file) => ({ source: `grader/${room}/${name}`, file: `grader-${room}${file}.html`, group });
+    return [
+      ...(existsSync(`grader/${room}/README.md`) ? [page("README.md", "")] : []),
+      ...tables.map((name) => page(name, `-${name.slice(0, -3).toLowerCase()}`)),
+    ];
+  });
+}
+
 // The pages in the order of the lectures.
 const labs = readdirSync("labs").filter((name) => /^\d\d-[a-z-]+$/.test(name)).sort();
 const pages = [
   { source: "README.md", file: "index.html", label: "Start" },
   ...labs.map((name) => ({ source: `labs/${name}/README.md`, file: `${name}.html`, group: "Labs" })),
   { source: "common/DEBUGGING.md", file: "debugging.html", group: "More" },
+  ...[".github/CONTRIBUTING.md"].filter(existsSync).map((source) => ({ source, file: "contributing.html", group: "More" })),
   { source: "grader/README.md", file: "grader.html", group: "More" },
+  ...rooms(),
 ];
 const listings = new Map(); // files of the project that a page links to, shown as they are
 
@@ -34,7 +50,7 @@ const site = {
     return target.split(path.sep).map(encodeURIComponent).join("/");
   },
   link(file) {
-    const page = pages.find(({ source }) => source === file || path.dirname(source) === file.replace(/\/$/, ""));
+    const page = pages.find(({ source }) => source === file || source === path.join(file, "README.md"));
     if (page) return page.file;
     if (!existsSync(file) || !statSync(file).isFile()) return undefined;
     listings.set(file, `file-${file.replace(/[^\w.-]/g, "-")}.html`);

@@ -1,3 +1,4 @@
+// Writes a row's figures as a script with its data for gnuplot, runs it, and so makes stability-NN.svg.
 #include "stability/plot.h"
 
 #include "scene/check.h"

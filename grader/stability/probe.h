@@ -25,7 +25,7 @@ void probe_knob(Probe *probe, const char *name, double value);
 // Draws and measures. False with a message.
 bool probe_draw(Probe *probe);
 
-// World units of a wall (hand.h) per pixel.
+// World units of a wall (truth/closed_scenes.h) per pixel.
 double probe_unit(const Probe *probe);
 
 // Mean of false light (sign 1) or false shadow (-1) over the pixels that count, lie on `object`, are dark

@@ -1,4 +1,7 @@
 // A row of the stability suite: one method swept to where it breaks, and what must come out.
+//
+// Interface: a lab defines Rows in a table; row_list lists those of all labs, row_run runs and judges one. A
+// row's function makes its figures by findings_figure and curve.h, and keeps bad frames by findings_frame.
 #pragma once
 
 #include "stability/lab_set.h"

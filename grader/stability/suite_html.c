@@ -1,3 +1,4 @@
+// Writes the suite's page: a summary, and for each row its words, verdict, curves, numbers and worst frames.
 #include "stability/suite_html.h"
 
 #include "base/files.h"

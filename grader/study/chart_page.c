@@ -1,3 +1,5 @@
+// Puts the page together from chart_page.html and scripts beside it, and all points of all scenes as JSON in
+// it.
 #include "study/chart_page.h"
 
 #include "study/chart_svg.h"

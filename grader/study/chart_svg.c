@@ -1,3 +1,4 @@
+// Writes a script for gnuplot: families of settings as curves, bars of noise, and the front.
 #include "study/chart_svg.h"
 
 #include "scene/check.h"

@@ -1,3 +1,5 @@
+// Reads two tables of a study and tells the settings that only one has on its front, and whether the bars
+// explain it.
 #include "study/csv.h"
 
 #include "scene/check.h"

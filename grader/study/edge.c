@@ -1,3 +1,5 @@
+// Measures the line V* = 1/2 by marching squares, and how far a texel of the map stretches in the picture
+// there.
 #include "study/edge.h"
 
 #include "study/pareto.h"

@@ -1,3 +1,5 @@
+// Sums a finding up (times, errors), judges those of a scene against each other, and says in words what the
+// scene needs.
 #include "study/finding.h"
 
 #include "scene/check.h"

@@ -23,4 +23,4 @@ LabArtist *lab_artists_get(LabArtists *artists, const Method *method);
 // A name for what this artist draws with, made from its content.
 uint64_t lab_artists_key(const LabArtist *artist);
 
-void lab_artists_dismiss(LabArtists *artists); // accepts a zeroed crew
+void lab_artists_dismiss(LabArtists *artists); // accepts zeroed artists

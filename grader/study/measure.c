@@ -1,3 +1,5 @@
+// For each setting of a scene: errors once against the truth, then times in turns, one setting after the
+// other; what the state holds already is not measured again.
 #include "study/measure.h"
 
 #include "scene/check.h"

@@ -1,4 +1,7 @@
 // Measures all settings of a scene: each one's error once, its times frame by frame in turn with the others.
+//
+// Interface: fill in a StudyPlan (size, frames, folder, who draws, what is known already); measure_scene
+// fills the findings of one scene (finding.h), which the charts and tables read.
 #pragma once
 
 #include "study/lab_artists.h"
@@ -14,7 +17,7 @@ typedef struct StudyPlan {
     ProgressBar bar;
 } StudyPlan;
 
-// Fills the findings of this scene with its settings, and those of the crew's submission behind them;
+// Fills the findings of this scene with its settings, and those of the submission behind them;
 // measures what the state does not hold. False with a message when something of ours fails; a submission that
 // does not draw is a finding.
 bool measure_scene(StudyPlan *plan, const StudyScene *scene, SceneFindings *findings);

@@ -1,3 +1,4 @@
+// Reads the state's lines into a table of times and errors by key, and appends each new one at once.
 #include "study/measurements.h"
 
 #include "scene/check.h"

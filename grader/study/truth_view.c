@@ -1,3 +1,5 @@
+// Asks the worker for the triangles of a view, traces the truth, draws a method, and compares on the pixels
+// where both meet the same triangle.
 #include "study/truth_view.h"
 
 #include "scene/check.h"

@@ -1,3 +1,5 @@
+// Which pixels count, where the shadow's edge is and how wide, and the sums of false shadow and false light
+// in both parts.
 #include "truth/metrics.h"
 
 #include "scene/check.h"

@@ -1,3 +1,4 @@
+// Builds Embree's tree of a scene and keeps, for each pixel of a view, the point that its camera ray meets.
 #include "truth/truth.h"
 
 #include "scene/check.h"

@@ -1,3 +1,5 @@
+// Both sides of the pipe: the child that grades and prepares in the time between, and the parent that asks
+// and takes verdicts.
 #include "watch/grading_process.h"
 
 #include "scene/check.h"
@@ -116,9 +118,9 @@ static _Noreturn void serve(const GradingOptions *options, const char *folder, i
     _exit(0);
 }
 
-static bool start(GradingProcess *bench) {
+static bool start(GradingProcess *grading) {
     int requests[2], verdicts[2];
-    if (!files_make_temporary(bench->folder))
+    if (!files_make_temporary(grading->folder))
         return false;
     if (pipe2(requests, O_CLOEXEC) != 0)
         return check_fail("no pipe to a child process");
@@ -126,64 +128,64 @@ static bool start(GradingProcess *bench) {
         close(requests[0]), close(requests[1]);
         return check_fail("no pipe to a child process");
     }
-    bench->pid = fork();
-    if (bench->pid == 0) {
+    grading->pid = fork();
+    if (grading->pid == 0) {
         close(requests[1]), close(verdicts[0]);
-        serve(&bench->options, bench->folder, requests[0], verdicts[1]);
+        serve(&grading->options, grading->folder, requests[0], verdicts[1]);
     }
     close(requests[0]), close(verdicts[1]);
-    bench->requests = requests[1];
-    bench->verdicts = verdicts[0];
-    if (bench->pid > 0)
+    grading->requests = requests[1];
+    grading->verdicts = verdicts[0];
+    if (grading->pid > 0)
         return true;
-    grading_process_stop(bench);
+    grading_process_stop(grading);
     return check_fail("no child process");
 }
 
-bool grading_process_ask(GradingProcess *bench, int lab) {
-    INVARIANT(!bench->busy);
-    if (bench->pid <= 0 && !start(bench))
+bool grading_process_ask(GradingProcess *grading, int lab) {
+    INVARIANT(!grading->busy);
+    if (grading->pid <= 0 && !start(grading))
         return false;
-    if (write(bench->requests, &lab, sizeof lab) != sizeof lab) { // it died while it had nothing to do
-        grading_process_stop(bench);
-        if (!start(bench) || write(bench->requests, &lab, sizeof lab) != sizeof lab)
+    if (write(grading->requests, &lab, sizeof lab) != sizeof lab) { // it died while it had nothing to do
+        grading_process_stop(grading);
+        if (!start(grading) || write(grading->requests, &lab, sizeof lab) != sizeof lab)
             return check_fail("the process that grades cannot be reached");
     }
-    bench->verdict.lab = lab;
-    bench->taken = 0;
-    bench->busy = true;
+    grading->verdict.lab = lab;
+    grading->taken = 0;
+    grading->busy = true;
     return true;
 }
 
-bool grading_process_take(GradingProcess *bench) {
-    const int lab = bench->verdict.lab;
-    ssize_t n =
-        read(bench->verdicts, (char *)&bench->verdict + bench->taken, sizeof bench->verdict - bench->taken);
-    bench->taken += n > 0 ? (size_t)n : 0;
+bool grading_process_take(GradingProcess *grading) {
+    const int lab = grading->verdict.lab;
+    ssize_t n = read(grading->verdicts, (char *)&grading->verdict + grading->taken,
+                     sizeof grading->verdict - grading->taken);
+    grading->taken += n > 0 ? (size_t)n : 0;
     if (n <= 0) {
-        memset(&bench->verdict, 0, sizeof bench->verdict);
-        bench->verdict.fault = true;
-        bench->verdict.lab = lab;
-        strcpy(bench->verdict.message, "the process that grades has ended; the next save starts it again");
-    } else if (bench->taken < sizeof bench->verdict) {
+        memset(&grading->verdict, 0, sizeof grading->verdict);
+        grading->verdict.fault = true;
+        grading->verdict.lab = lab;
+        strcpy(grading->verdict.message, "the process that grades has ended; the next save starts it again");
+    } else if (grading->taken < sizeof grading->verdict) {
         return false;
     }
-    bench->busy = false;
-    if (bench->verdict.fault)
-        grading_process_stop(bench);
+    grading->busy = false;
+    if (grading->verdict.fault)
+        grading_process_stop(grading);
     return true;
 }
 
-void grading_process_stop(GradingProcess *bench) {
-    if (bench->requests > 0)
-        close(bench->requests), close(bench->verdicts);
-    if (bench->pid > 0) {
-        kill(bench->pid, SIGTERM);
-        waitpid(bench->pid, NULL, 0);
+void grading_process_stop(GradingProcess *grading) {
+    if (grading->requests > 0)
+        close(grading->requests), close(grading->verdicts);
+    if (grading->pid > 0) {
+        kill(grading->pid, SIGTERM);
+        waitpid(grading->pid, NULL, 0);
     }
-    if (bench->folder[0])
-        files_remove(bench->folder);
-    bench->folder[0] = '\0';
-    bench->pid = bench->requests = bench->verdicts = 0;
-    bench->busy = false;
+    if (grading->folder[0])
+        files_remove(grading->folder);
+    grading->folder[0] = '\0';
+    grading->pid = grading->requests = grading->verdicts = 0;
+    grading->busy = false;
 }

@@ -43,10 +43,10 @@ typedef struct GradingProcess {
 
 // Asks for the grading of rubrics[lab]; starts the process when there is none. Only when not busy. False with
 // a message.
-bool grading_process_ask(GradingProcess *bench, int lab);
+bool grading_process_ask(GradingProcess *grading, int lab);
 
-// Takes what has come from bench->verdicts. True when bench->verdict is whole; a process that is lost gives a
-// verdict with a fault.
-bool grading_process_take(GradingProcess *bench);
+// Takes what has come from grading->verdicts. True when grading->verdict is whole; a process that is lost
+// gives a verdict with a fault.
+bool grading_process_take(GradingProcess *grading);
 
-void grading_process_stop(GradingProcess *bench); // accepts a zeroed bench
+void grading_process_stop(GradingProcess *grading); // accepts a zeroed grading

@@ -1,3 +1,4 @@
+// Takes verdicts and decides what to show: which lab, which open task, where its TODO stands, how many hints.
 #include "watch/lab_board.h"
 
 #include "scene/check.h"

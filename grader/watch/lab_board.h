@@ -1,4 +1,4 @@
-// What the watch knows: the labs, how far each is, and which one lies on the desk.
+// What the watch knows: the labs, how far each is, and which one is worked on.
 #pragma once
 
 #include "watch/grading_process.h"
@@ -22,7 +22,7 @@ typedef struct LabBoard {
     Rubric rubrics[COURSE_MAX_LABS];
     int lab_count;
     Progress progress;
-    int current;   // the lab on the desk
+    int current;   // the lab that is worked on
     bool known;    // verdict and focus are there, and of this lab
     bool was_open; // an earlier verdict of this visit was not done
     LabVerdict verdict;
@@ -33,19 +33,19 @@ typedef struct LabBoard {
     char message[DESK_TEXT];                    // for the next screen
 } LabBoard;
 
-// Reads the rubrics and the progress; puts the lab "03" on the desk, or with NULL the first that is not done.
+// Reads the rubrics and the progress; takes the lab "03" first, or with NULL the first that is not done.
 // False with a message; then `current` is below 0 when there is no such lab, and 0 when something cannot be
 // read.
 bool lab_board_create(LabBoard *board, const char *folder, const char *id);
-void lab_board_destroy(LabBoard *board); // accepts a zeroed desk
+void lab_board_destroy(LabBoard *board); // accepts a zeroed board
 
-// Puts a lab on the desk; its verdict is to come.
+// Makes a lab the current one; its verdict is to come.
 void lab_board_turn_to(LabBoard *board, int lab);
 
 // The next lab after the current one that is not done, around the end; -1 when all others are.
 int lab_board_next(const LabBoard *board);
 
-// Takes a verdict for a lab of the desk: records it and finds where to look. True when the current lab has
+// Takes a verdict for a lab of the board: records it and finds where to look. True when the current lab has
 // just been done.
 bool lab_board_take(LabBoard *board, const LabVerdict *verdict);
 

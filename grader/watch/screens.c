@@ -1,3 +1,4 @@
+// Writes a lab's screen, the list of labs, and the line of keys at the bottom.
 #include "watch/screens.h"
 
 #include "exam/exam_file.h"

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-// The lab on the desk: its checks, and of the first that failed the task, the cause and the hints. `busy`: it
+// The current lab: its checks, and of the first that failed the task, the cause and the hints. `busy`: it
 // is being graded.
 void screens_lab(Sheet *sheet, const LabBoard *board, bool busy);
 

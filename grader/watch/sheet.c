@@ -1,3 +1,4 @@
+// Adds lines, wraps them at words, and prints them within the columns and rows there are.
 #include "watch/sheet.h"
 
 #include <stdarg.h>

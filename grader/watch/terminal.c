@@ -1,3 +1,5 @@
+// Raw mode and the other screen, entered and left on every way out (signals, stop and go on), and keys and
+// events one by one.
 #include "watch/terminal.h"
 
 #include "scene/check.h"

@@ -1,3 +1,5 @@
+// Starts the feeds, and at each tick: looks at saved files and new pictures, asks for what is missing, and
+// composes.
 #include "window/app.h"
 
 #include "scene/check.h"

@@ -1,3 +1,5 @@
+// The thread of a feed and the lock around what it shares with the window: newest request in, last good
+// picture out.
 #include "window/feed.h"
 
 #include "scene/check.h"

@@ -1,3 +1,4 @@
+// Writes each block of text: state and knobs, times, the pixel under the mouse, problems, the table of keys.
 #include "window/hud.h"
 
 #include "scene/check.h"

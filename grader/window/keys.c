@@ -1,3 +1,4 @@
+// One small function a key, and the table that names them all.
 #include "window/keys.h"
 
 #include "scene/count.h"

@@ -1,3 +1,4 @@
+// Bakes the letters of a font into a texture and draws all text of a frame in one call.
 #include "window/text.h"
 
 #include "scene/check.h"

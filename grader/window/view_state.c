@@ -1,3 +1,4 @@
+// Steps of keys through checks, scenes, views and knobs, and the request that the state stands for.
 #include "window/view_state.h"
 
 #include "scene/check.h"

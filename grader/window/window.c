@@ -1,3 +1,5 @@
+// Asks GLFW for the window and its context, measures pixels against screen units, draws the picture, its text
+// and the magnifying glass.
 #include "window/window.h"
 
 #include "scene/check.h"

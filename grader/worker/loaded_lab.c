@@ -1,3 +1,5 @@
+// Loads lab.so and its shaders, makes its resources when size or knobs change, runs its passes with their
+// times, and reads the pixels.
 #include "worker/loaded_lab.h"
 
 #include "base/limits.h"

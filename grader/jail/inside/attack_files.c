@@ -1,3 +1,4 @@
+// The attacks on files: reading and writing what is not the submission's, by every way that we know.
 #include "jail/inside/attacks.h"
 
 #include <dirent.h>

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// By hand, from the rules of escape.h and RFC 3629.
+// By hand, from the rules of printable.h and RFC 3629.
 static const char *const pairs[][2] = {{"Ann Lee", "Ann Lee"},
                                        {"back\\slash", "back\\\\slash"},
                                        {"\\x0a", "\\\\x0a"},

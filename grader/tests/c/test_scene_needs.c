@@ -22,17 +22,17 @@ static void load(Rubric *rubric, const char *id) {
     assert_true(places_find_lab(folder, id) && rubric_load(rubric, folder));
 }
 
-static void check_scene(const char *id, const SceneNeeds *economy, const char *readme) {
+static void check_scene(const char *id, const SceneNeeds *economy, const char *page) {
     char text[ECONOMY_TEXT];
     scene_needs_describe(text, id, economy);
     print_message("%s %.4f\n", text, scene_needs_least(economy));
     assert_true(scene_needs_least(economy) >= ENOUGH);
     assert_int_equal(economy->first.light_count, 1); // the fewest that shading can do with
-    assert_non_null(strstr(readme, text));
+    assert_non_null(strstr(page, text));
 }
 
 // Under the sanitizers, which make all labs again, one will do.
-static void check_lab(const char *id, void *readme) {
+static void check_lab(const char *id, void *page) {
     static SceneNeeds economies[ECONOMY_MAX_SCENES];
     Rubric rubric;
     if (getenv("QUICK") && strcmp(id, "03") != 0)
@@ -41,18 +41,18 @@ static void check_lab(const char *id, void *readme) {
     int count = scene_needs_measure(economies, &rubric, &worker, SEEDS, ENOUGH);
     assert_true(count > 0);
     for (int i = 0; i < count; i++)
-        check_scene(id, &economies[i], readme);
+        check_scene(id, &economies[i], page);
     rubric_destroy(&rubric);
 }
 
 static void test_scenes(void **unused) {
     (void)unused;
     char path[FILES_PATH];
-    places_path(path, "grader/README.md");
-    char *readme = files_read(path, 1 << 20);
-    assert_non_null(readme);
-    assert_true(places_list_labs(check_lab, readme));
-    free(readme);
+    places_path(path, "grader/proof/SCENES.md");
+    char *page = files_read(path, 1 << 20);
+    assert_non_null(page);
+    assert_true(places_list_labs(check_lab, page));
+    free(page);
 }
 
 // A box below the floor, in the scenes of an exam, is needed for nothing; the floor above it is.

@@ -5,7 +5,7 @@ source "$(dirname "$0")/../helpers/lib.sh"
 copy=$work/copy id=$(printf %02d $((1 + 10#$(basename "$(ls -d "$root"/solutions/[0-9][0-9]-* | tail -1)" | cut -c1-2))))
 n=$((10#$id)) lab=$id-soft-edges
 mkdir -p "$copy"
-cp -a "$root"/{Makefile,README.md,LICENSE,common,shaders,labs,solutions,grader,.clang-format,.clang-tidy,.gitignore} "$copy"
+cp -a "$root"/{Makefile,README.md,.github,LICENSE,common,shaders,labs,solutions,grader,.clang-format,.clang-tidy,.gitignore} "$copy"
 cp -a "$root/$BUILD" "$copy/build"
 rm -rf "$copy"/labs/*.backup-*
 cd "$copy" || exit 1

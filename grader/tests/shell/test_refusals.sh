@@ -5,7 +5,7 @@ source "$(dirname "$0")/../helpers/lib.sh"
 
 copy=$work/copy
 mkdir -p "$copy/build"
-cp -r "$root"/{Makefile,common,shaders,labs,solutions,grader,.clang-format} "$copy"
+cp -r "$root"/{Makefile,.github,common,shaders,labs,solutions,grader,.clang-format} "$copy"
 mkdir -p "$root/$BUILD/cache"
 cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,given,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
@@ -60,6 +60,12 @@ broken "points that do not sum to 100" "FAILED: 03-shadow-map: 100 points" "sed 
 broken "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds without warnings" "sed -i 's/    (void)light;//' $three/lab.c && sed -i 's/^static void destroy/static int unused;\n&/' $three/lab.c && build/skeletons labs"
 broken "a long file" "FAILED: files of at most 300 lines" "seq -f '// %g' 301 >common/long.h"
 broken "a long student file" "FAILED: student files of at most 120 lines" "seq -f '// %g' 121 >>$three/shadow.frag && build/skeletons labs"
+broken "a long .c that does not say its job" "common/gl.c: its first line says nothing" "sed -i '0,/^#include/{/^\/\//d}' common/gl.c"
+cp grader/score/README.md "$work/readme"
+echo 'See `score_old.c`, [there](../none), `make nonsense`, `build/nonsense --help` and `grader/score/none`.' >>grader/score/README.md
+runs grader/scripts/named_files
+expect "a README that names what is gone" 1 "grader/score/README.md: score_old.c is not there" ": ../none is not" ": make nonsense is not" ": build/nonsense is not" ": grader/score/none is not"
+cp "$work/readme" grader/score/README.md
 broken "common/ that knows a lab" "FAILED: floors: common/ knows neither labs" "echo '// see solutions/03' >>common/scene/random.h"
 broken "an include that points up" "common/scene/random.c:3: scene includes draw.h, which is up" "sed -i '2a #include \"draw.h\"' common/scene/random.c"
 broken "a package in a room that does not know it" "only truth may include embree3/rtcore.h" "sed -i '2a #include <embree3/rtcore.h>' common/scene/random.c"

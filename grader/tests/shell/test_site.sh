@@ -11,8 +11,8 @@ runs() { status=0; out=$("$@" 2>&1) || status=$?; }
 runs flock $browser/package.json make --no-print-directory BUILD="$work" grader/site/node_modules/.package-lock.json $browser/node_modules/.package-lock.json
 expect "npm" 0
 runs node grader/site/build.mjs "$work/site"
-labs=(labs/[0-9][0-9]-*[a-z])
-expect "the site is built" 0 "$((3 + ${#labs[@]})) pages"
+labs=(labs/[0-9][0-9]-*[a-z]) rooms=(grader/*/*.md)
+expect "the site is built" 0 "$((4 + ${#labs[@]} + ${#rooms[@]})) pages"
 
 # An eye of its own, with Python's parser: what is counted here is not what the site's builder counted.
 cat >"$work/look.py" <<'PYTHON'
@@ -54,16 +54,19 @@ for source in sys.argv[2:]:
     text = re.sub(r"(?ms)^```.*?^```", "", pathlib.Path(source).read_text())
     text = re.sub(r"(?m)^ {4}.*$", "", re.sub(r"`[^`]+`", "", text))
     count = len(re.findall(r"(?s)\$\$.+?\$\$|\$[^$]+\$", text))
-    name = {"README.md": "index", "common/DEBUGGING.md": "debugging", "grader/README.md": "grader"}.get(source, ("/" + source).split("/")[-2]) + ".html"
+    parts = source.split("/")
+    room = "-".join(part.lower().removesuffix(".md") for part in parts if part != "README.md")
+    name = {"README.md": "index", "common/DEBUGGING.md": "debugging", ".github/CONTRIBUTING.md": "contributing"}.get(source)
+    name = (name or (room if parts[0] == "grader" else parts[-2])) + ".html"
     if pages[name].math != count: say(name, "has", pages[name].math, "formulas,", source, "has", count)
 name, way = "index.html", []
 while name: way.append(name); name = pages[name].next
-if way != ["index.html", *sorted(n for n in pages if n[0].isdigit()), "debugging.html", "grader.html"]: say("the way through the lectures is", way)
+if way != ["index.html", *sorted(n for n in pages if n[0].isdigit()), "debugging.html", "contributing.html", "grader.html", *sorted((n for n in pages if n.startswith("grader-")), key=lambda n: n[:-5])]: say("the way through the lectures is", way)
 print(len(pages), "pages", sum(p.math for p in pages.values()), "formulas")
 sys.exit(wrong > 0)
 PYTHON
 look() { runs python3 "$work/look.py" "$work/site" "${sources[@]}"; }
-sources=(README.md labs/[0-9][0-9]-*[!0-9]/README.md common/DEBUGGING.md grader/README.md)
+sources=(README.md labs/[0-9][0-9]-*[!0-9]/README.md common/DEBUGGING.md .github/CONTRIBUTING.md grader/README.md "${rooms[@]}")
 look
 expect "links, formulas, the way through" 0 " formulas"
 grep -qE '[1-9][0-9]+ formulas' <<<"$out" && ok || bad "there are formulas" "$out"
@@ -86,7 +89,7 @@ expect "a page that is not accessible" 1 "broken picture" "axe image-alt" "axe b
 # The builder refuses what it cannot show, and leaves code alone.
 copy=$work/copy
 mkdir "$copy"
-cp -r README.md LICENSE common shaders labs solutions grader "$copy"
+cp -r README.md LICENSE .github common shaders labs solutions grader "$copy"
 cd "$copy" || exit 1
 page=labs/03-shadow-map/README.md
 cp $page "$work/page"
