@@ -111,7 +111,8 @@ static double distance(const LabResult *result, int m, Exam *exam, const bool fa
 // Does a check pass that fails with the mistake?
 static bool is_contradicted(const LabResult *result, int m, Exam *exam) {
     for (int c = 0; c < result->check_count; c++)
-        if (result->checks[c].passed && exam_with_mistake(exam, m, c) != EXAM_PASSES)
+        if (result->checks[c].passed && !result->checks[c].otherwise &&
+            exam_with_mistake(exam, m, c) != EXAM_PASSES)
             return true;
     return false;
 }

@@ -75,7 +75,7 @@ static bool find_suspects(Diagnosis *this) {
     const Rubric *rubric = this->exam->rubric;
     const Fault *fault = &this->result->fault;
     for (int i = 0; i < fault->count; i++)
-        for (int k = 0; k < 4 && fault->parts[i].tasks[k]; k++)
+        for (int k = 0; k < FAULT_TASKS && fault->parts[i].tasks[k]; k++)
             among[rubric_task_index(rubric, fault->parts[i].tasks[k])] = any = true;
     for (int t = 0; fault->count == 0 && t < rubric->hint_count; t++)
         among[t] = !this->open.open[t];
@@ -151,7 +151,7 @@ static void name_faults(Diagnosis *this) {
 bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, bool swap) {
     static Diagnosis this;
     this = (Diagnosis){.result = result, .exam = exam, .named = {-1, -1, false}};
-    open_tasks_find(&this.open, exam->rubric, student->folder);
+    open_tasks_find(&this.open, result, exam, student->folder);
     sort_checks(&this);
     if (!this.any_failed) {
         if (this.next)

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double SECONDS = 2; // that one try may draw
+static const double SECONDS = 2, PATIENCE = 5; // of processor time that one try may draw, and of the clock
 
 bool mixed_lab_open(MixedLab *lab, const LabResult *result, Exam *exam, const WorkerClient *student,
                     Solved solved) {
@@ -105,7 +105,8 @@ int mixed_lab_try(const MixedLab *lab) {
                             .jail = lab->student->jail,
                             .context = lab->student->context,
                             .quick_shaders = true,
-                            .seconds = SECONDS};
+                            .seconds = SECONDS,
+                            .patience = PATIENCE};
     if (!files_make_temporary(worker.folder))
         return -1;
     if (build(lab, worker.folder)) {

@@ -1,9 +1,11 @@
+// Looks for the TODO of each task, and whether anything was written in its place.
 #include "diagnose/open_tasks.h"
 
 #include "base/files.h"
 #include "compile/lab_folder.h"
 #include "compile/tokens.h"
 #include "exam/exam_file.h"
+#include "score/score.h"
 #include "scene/check.h"
 
 #include <stdio.h>
@@ -33,27 +35,62 @@ static bool stands_as_handed_out(const char *mark, const char *at, const char *s
     return false;
 }
 
-static void find_in(OpenTasks *tasks, const Rubric *rubric, const char *text, const char *skeleton) {
+// As in the lab as it was handed out, or, where we have it, as in the lab with all tasks done but this one:
+// what follows may be the place of another task.
+static bool is_untouched(const char *mark, const char *at, const Rubric *rubric, int file, int t) {
+    const Solved all_but = {SOLVED_ALL_BUT, rubric->hints[t].task};
+    char *skeleton = exam_file_skeleton(rubric, file);
+    char *without = exam_file_only() ? NULL : lab_folder_source(rubric, file, all_but);
+    const bool same = (skeleton && stands_as_handed_out(mark, at, skeleton)) ||
+                      (without && stands_as_handed_out(mark, at, without));
+    free(skeleton);
+    free(without);
+    return same;
+}
+
+static void find_in(OpenTasks *tasks, const Rubric *rubric, int file, const char *text) {
     for (int t = 0; t < rubric->hint_count && t < EXAM_MAX_TASKS; t++) {
         char mark[32];
         snprintf(mark, sizeof mark, "TODO(%s)", rubric->hints[t].task);
         for (const char *at = strstr(text, mark); at; at = strstr(at + 1, mark)) {
             tasks->marked[t] = true;
-            tasks->open[t] = tasks->open[t] || stands_as_handed_out(mark, at, skeleton);
+            tasks->open[t] = tasks->open[t] || is_untouched(mark, at, rubric, file, t);
         }
     }
 }
 
-void open_tasks_find(OpenTasks *tasks, const Rubric *rubric, const char *folder) {
+// Does the check show what our lab shows before its task is done, whichever of the tasks before it are?
+static bool shows_no_effect(const LabResult *result, Exam *exam, int c) {
+    const CheckResult *check = &result->checks[c];
+    const Image *yours = &check->yours[check->worst];
+    const char *dot = strchr(check->check->task, '.');
+    if (!yours->rgba)
+        return false;
+    if (result_touch(check, exam->variants[c]) != TOUCH_CHANGED)
+        return true;
+    for (int n = 1; dot && n < atoi(dot + 1); n++) {
+        const Image *ours = exam_partial(exam, n, c, check->worst);
+        if (ours && score_rmse(yours, ours) == 0)
+            return true;
+    }
+    return false;
+}
+
+void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, const char *folder) {
+    const Rubric *rubric = exam->rubric;
     *tasks = (OpenTasks){0};
     for (int i = 0; i < rubric->file_count; i++) {
         char path[FILES_PATH];
         files_join(path, folder, rubric->files[i]);
-        char *text = files_read(path, DERIVE_MAX_FILE), *skeleton = exam_file_skeleton(rubric, i);
-        if (text && skeleton)
-            find_in(tasks, rubric, text, skeleton);
+        char *text = files_read(path, DERIVE_MAX_FILE);
+        if (text)
+            find_in(tasks, rubric, i, text);
         free(text);
-        free(skeleton);
+    }
+    for (int c = 0; c < result->check_count; c++) {
+        const int t = rubric_task_index(rubric, result->checks[c].check->task);
+        if (t >= 0 && tasks->marked[t] && !tasks->open[t] && !result->checks[c].passed)
+            tasks->open[t] = shows_no_effect(result, exam, c);
     }
     check_clear();
 }

@@ -14,10 +14,11 @@ enum { EVIDENCE_YOURS, EVIDENCE_REFERENCE, EVIDENCE_DIFFERENCE, EVIDENCE_CROP, E
 
 typedef struct CheckResult {
     const Check *check;
-    double share; // of the points; the worst variant counts
-    double error; // inside + outside of that variant (see score.h)
-    int worst;    // that variant
-    bool passed;  // all but a trace of the points
+    double share;   // of the points; the worst variant counts
+    double error;   // inside + outside of that variant (see score.h)
+    int worst;      // that variant
+    bool passed;    // all but a trace of the points
+    bool otherwise; // ... by the pictures of an alternative that is "also right"
     FrameFacts facts[EXAM_MAX_VARIANTS];
     bool wrong_size,
         refused; // of the worst variant: its stage has not the reference's size; GL refused a call
@@ -32,7 +33,7 @@ typedef struct CheckResult {
     Difference difference;          // the evidence's
 } CheckResult;
 
-enum { FAULT_PARTS = 3 };
+enum { FAULT_PARTS = 3, FAULT_TASKS = 4 };
 
 // A part of a submission that was exchanged.
 typedef struct FaultPart {
@@ -40,9 +41,10 @@ typedef struct FaultPart {
     char function[64]; // the student's name of it; "": all that stands outside of functions, or with `whole`
                        // the whole file
     bool whole;
-    char ours[64];        // our name of the function
-    char helpers[128];    // the student's own functions that it calls, "a, b"
-    const char *tasks[4]; // that are done there, the most likely first; all NULL in what was handed out
+    char ours[64];     // our name of the function
+    char helpers[128]; // the student's own functions that it calls, "a, b"
+    const char
+        *tasks[FAULT_TASKS]; // that are done there, the most likely first; all NULL in what was handed out
 } FaultPart;
 
 // With our parts in the place of these, `repaired` of the `failed` checks pass.

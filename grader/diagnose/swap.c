@@ -55,16 +55,12 @@ static void mark_task(const char *task, void *context) {
         marks->tasks[t] = true;
 }
 
-static char *read_annotated(const Rubric *rubric, int file) {
-    char path[FILES_PATH];
-    files_join(path, rubric->folder, rubric->files[file]);
-    return files_read(path, DERIVE_MAX_FILE);
-}
-
 // Marks the tasks whose answers lie in these bytes of our text, which has the annotated one's lines.
 static void mark_tasks(Candidate *candidate, const SwapSearch *search, size_t begin, size_t end) {
     const char *ours = search->lab.files[candidate->file].ours_text;
-    char *annotated = read_annotated(search->rubric, candidate->file);
+    char path[FILES_PATH];
+    files_join(path, search->rubric->folder, search->rubric->files[candidate->file]);
+    char *annotated = files_read(path, DERIVE_MAX_FILE);
     TaskMarks marks = {search->rubric, candidate->tasks};
     if (annotated)
         task_blocks_between(annotated, line_of(ours, begin), line_of(ours, end), mark_task, &marks);
@@ -253,7 +249,7 @@ static void note_part(Fault *fault, const SwapSearch *search, const Candidate *c
         snprintf(part->ours, sizeof part->ours, "%s", candidate->name);
         list_helpers(part, file, candidate);
     }
-    for (int t = 0; t < search->rubric->hint_count && count < 4; t++)
+    for (int t = 0; t < search->rubric->hint_count && count < FAULT_TASKS; t++)
         if (candidate->tasks[t])
             part->tasks[count++] = search->rubric->hints[t].task;
 }

@@ -5,6 +5,8 @@
 
 #include <stdbool.h>
 
+struct LabResult;
+
 typedef struct GradeOptions {
     ContextKind context;
     double seconds;  // that a submission may run, per lab
@@ -13,7 +15,10 @@ typedef struct GradeOptions {
     const Jail *jail; // NULL: their author grades them, outside
     bool untimed;     // do not compare times with the solution's
     bool no_swap;     // do not exchange parts of the submission to find the fault
-    bool evidence;    // keep pictures of what failed in the result
+    void (*early)(const struct LabResult *result,
+                  void *context); // gets the points before the causes are known
+    void *early_context;
+    bool evidence; // keep pictures of what failed in the result
 } GradeOptions;
 
 typedef struct LabExam {

@@ -228,6 +228,8 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     grade_frames(result, exam, student, exam->painters && !options->untimed);
     note_output(result, student->process.text);
     address_explain(result, student, exam->rubric);
+    if (options->early && !result_done(result))
+        options->early(result, options->early_context);
     return diagnose(result, exam, student, !options->no_swap) &&
            (!options->evidence || evidence_attach(result, exam));
 }

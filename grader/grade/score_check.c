@@ -36,11 +36,11 @@ static bool passes_also(const CheckResult *check, Exam *exam, int c, int a) {
 
 // Who draws as such an alternative does gets all points.
 static void try_also(CheckResult *check, Exam *exam, int c) {
-    for (int a = 0; !check->passed && check->yours[0].rgba && a < exam->rubric->also_count; a++)
+    for (int a = 0; check->share < 1 && check->yours[0].rgba && a < exam->rubric->also_count; a++)
         if (passes_also(check, exam, c, a)) {
             check->share = 1;
             check->error = 0;
-            check->passed = true;
+            check->passed = check->otherwise = true;
         }
 }
 

@@ -202,8 +202,8 @@ static void watch_terminal(Watch *watch) {
 static void print_once(Watch *watch) {
     static Sheet sheet;
     ask(watch);
-    while (watch->grading.busy && !grading_process_take(&watch->grading))
-        ;
+    while (watch->grading.busy)
+        grading_process_take(&watch->grading);
     lab_board_take(&watch->board, &watch->grading.verdict);
     sheet_begin(&sheet, PLAIN_WIDTH);
     screens_lab(&sheet, &watch->board, false);

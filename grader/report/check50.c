@@ -22,15 +22,24 @@ static json_t *cause_of(const CheckResult *check) {
                      "actual");
 }
 
+static json_t *log_of(const LabResult *lab, const CheckResult *check) {
+    json_t *log = json_array();
+    json_array_append_new(log, json_sprintf("task %s: %.2f of %d points", check->check->task,
+                                            result_points(check), check->check->points));
+    if (!check->passed && check->seen[0])
+        json_array_append_new(log, json_string(check->seen));
+    if (!check->passed && lab->summary[0])
+        json_array_append_new(log, json_string(lab->summary));
+    return log;
+}
+
 static json_t *check_record(const LabResult *lab, int c) {
     const CheckResult *check = &lab->checks[c];
     bool known = check->yours[0].rgba || result_was_drawn(lab);
-    return json_pack("{s:o, s:s, s:o, s:[o], s:o, s:o, s:{s:f, s:i}}", "name",
+    return json_pack("{s:o, s:s, s:o, s:o, s:o, s:o, s:{s:f, s:i}}", "name",
                      json_sprintf("lab%s_%d", lab->id, c + 1), "description", check->check->name, "passed",
-                     known ? json_boolean(check->passed) : json_null(), "log",
-                     json_sprintf("task %s: %.2f of %d points", check->check->task, result_points(check),
-                                  check->check->points),
-                     "cause", cause_of(check), "dependency", json_sprintf("lab%s", lab->id), "data", "score",
+                     known ? json_boolean(check->passed) : json_null(), "log", log_of(lab, check), "cause",
+                     cause_of(check), "dependency", json_sprintf("lab%s", lab->id), "data", "score",
                      result_points(check), "max_score", check->check->points);
 }
 

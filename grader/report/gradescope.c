@@ -9,7 +9,8 @@ static double cents(double points) {
 }
 
 static json_t *test_json(const LabResult *lab, const CheckResult *check) {
-    json_t *output = check->has_cause ? json_sprintf("%s\n%s", check->mistake, check->hint)
+    json_t *output = check->has_cause ? json_sprintf("%s%s%s\n%s", check->mistake, check->seen[0] ? "\n" : "",
+                                                     check->seen, check->hint)
                      : check->passed  ? json_string("")
                                       : json_string(lab->message);
     return json_pack("{s:o, s:s, s:f, s:i, s:s, s:o, s:s, s:s}", "name",
@@ -21,6 +22,8 @@ static json_t *test_json(const LabResult *lab, const CheckResult *check) {
 
 // What concerns a lab as a whole.
 static void add_words(char *text, size_t size, const LabResult *lab) {
+    if (lab->summary[0])
+        check_append(text, size, "Lab %s: %s\n", lab->id, lab->summary);
     if (lab->message[0])
         check_append(text, size, "Lab %s, %s: %s\n", lab->id, result_status_name(lab->status), lab->message);
     if (lab->warnings[0])

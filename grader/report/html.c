@@ -19,7 +19,13 @@ static void write_check(Page *page, const CheckResult *check) {
     if (check->has_cause) {
         fputs("<strong>", page->out);
         page_text(page, check->mistake);
-        fputs("</strong><p class=\"hint\">", page->out);
+        fputs("</strong>", page->out);
+        if (check->seen[0]) {
+            fputs("<p>", page->out);
+            page_text(page, check->seen);
+            fputs("</p>", page->out);
+        }
+        fputs("<p class=\"hint\">", page->out);
         page_text(page, check->hint);
         fputs("</p>", page->out);
     }
@@ -96,6 +102,11 @@ static void write_lab(Page *page, const LabResult *lab) {
     if (lab->speed_ratio > 0)
         fprintf(page->out, "; %.2f times the solution's time", lab->speed_ratio);
     fputs("</p>\n", page->out);
+    if (lab->summary[0]) {
+        fputs("<p><strong>", page->out);
+        page_text(page, lab->summary);
+        fputs("</strong></p>\n", page->out);
+    }
     write_words(page, "Message", lab->message);
     write_checks(page, lab);
     write_words(page, "Notes", lab->warnings);

@@ -8,8 +8,8 @@ static double rounded(double value, double unit) {
 }
 
 static json_t *cause_json(const CheckResult *check) {
-    return check->has_cause ? json_pack("{s:s, s:s, s:s}", "mistake", check->mistake, "kind", check->kind,
-                                        "hint", check->hint)
+    return check->has_cause ? json_pack("{s:s, s:s, s:s, s:s}", "mistake", check->mistake, "kind",
+                                        check->kind, "hint", check->hint, "seen", check->seen)
                             : json_null();
 }
 
@@ -20,14 +20,36 @@ static json_t *check_json(const CheckResult *check) {
                      rounded(check->error, 1e-6), "cause", cause_json(check));
 }
 
+// The parts with the fault; an empty list when none was found.
+static json_t *parts_json(const Fault *fault) {
+    json_t *parts = json_array();
+    for (int i = 0; i < fault->count; i++) {
+        const FaultPart *part = &fault->parts[i];
+        json_t *tasks = json_array();
+        for (int k = 0; k < FAULT_TASKS && part->tasks[k]; k++)
+            json_array_append_new(tasks, json_string(part->tasks[k]));
+        json_array_append_new(parts, json_pack("{s:s, s:s, s:o}", "file", part->file, "function",
+                                               part->function, "tasks", tasks));
+    }
+    return parts;
+}
+
+static json_t *summary_json(const LabResult *lab) {
+    if (!lab->summary[0])
+        return json_null();
+    return json_pack("{s:s, s:s, s:o, s:i, s:i}", "text", lab->summary, "hint", lab->advice, "parts",
+                     parts_json(&lab->fault), "failed", lab->fault.failed, "repaired", lab->fault.repaired);
+}
+
 static json_t *lab_json(const LabResult *lab) {
     json_t *checks = json_array();
     for (int c = 0; c < lab->check_count; c++)
         json_array_append_new(checks, check_json(&lab->checks[c]));
-    return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s, s:s, s:f, s:o}", "id", lab->id, "name", lab->name,
+    return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s, s:s, s:f, s:o, s:o}", "id", lab->id, "name", lab->name,
                      "score", rounded(lab->score, 0.01), "max_score", lab->max_score, "status",
                      result_status_name(lab->status), "message", lab->message, "warnings", lab->warnings,
-                     "speed_ratio", rounded(lab->speed_ratio, 0.001), "checks", checks);
+                     "speed_ratio", rounded(lab->speed_ratio, 0.001), "summary", summary_json(lab), "checks",
+                     checks);
 }
 
 json_t *report_json(const Report *report) {

@@ -19,15 +19,27 @@ static void print_lines(FILE *out, const char *prefix, const char *text) {
 
 // Hints are for what is wrong, and for the first task that is not done: who reads on would learn too early
 // what comes later.
-static void print_check(const CheckResult *check, bool hinted, FILE *out, const Colors *colors) {
+static void print_check(const CheckResult *check, const CheckResult *before, bool hinted, FILE *out,
+                        const Colors *colors) {
     fprintf(out, "  %s%s%s %6.2f/%-3d %-4s %s%s\n", check->passed ? colors->good : colors->bad,
             check->passed ? "ok  " : "FAIL", colors->end, result_points(check), check->check->points,
             check->check->task, check->check->name, check->check->optional ? " (optional)" : "");
     if (!check->has_cause)
         return;
-    fprintf(out, "         %s%s%s\n", colors->bold, check->mistake, colors->end);
+    if (!before || strcmp(before->mistake, check->mistake) != 0)
+        fprintf(out, "         %s%s%s\n", colors->bold, check->mistake, colors->end);
+    if (check->seen[0] && (!before || strcmp(before->seen, check->seen) != 0))
+        fprintf(out, "         %s\n", check->seen);
     if (hinted)
         print_lines(out, "         ", check->hint);
+}
+
+// Where to look first, and why.
+static void print_summary(const LabResult *lab, FILE *out, const Colors *colors) {
+    if (!lab->summary[0])
+        return;
+    fprintf(out, "  %s=> %s%s\n", colors->bold, lab->summary, colors->end);
+    print_lines(out, "     ", lab->advice);
 }
 
 // The checks of a lab, and where to go on.
@@ -35,9 +47,10 @@ static void print_checks(const LabResult *lab, FILE *out, const Colors *colors) 
     const CheckResult *before = NULL, *first = NULL;
     for (int c = 0; c < lab->check_count; c++) {
         const CheckResult *check = &lab->checks[c];
-        const bool same = before && strcmp(before->hint, check->hint) == 0;
-        print_check(check, !same && (!check->undone || !first || !first->undone), out, colors);
-        before = check;
+        const bool told =
+            (before && strcmp(before->hint, check->hint) == 0) || strcmp(lab->advice, check->hint) == 0;
+        print_check(check, before, !told && (!check->undone || !first || !first->undone), out, colors);
+        before = check->has_cause ? check : before;
         first = first ? first : check->has_cause ? check : NULL;
     }
     const char *task = first && first->cause_task ? first->cause_task : first ? first->check->task : "";
@@ -59,6 +72,7 @@ static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
         print_lines(out, "  ! ", lab->message);
     if (lab->warnings[0])
         print_lines(out, "  note: ", lab->warnings);
+    print_summary(lab, out, colors);
     print_checks(lab, out, colors);
     fputs("  ", out);
     print_bar(lab->max_score > 0 ? lab->score / lab->max_score : 0, out);

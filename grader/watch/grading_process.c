@@ -42,6 +42,7 @@ static void copy_check(VerdictCheck *to, const CheckResult *from) {
     to->undone = from->undone;
     snprintf(to->task, sizeof to->task, "%s", from->cause_task ? from->cause_task : from->check->task);
     snprintf(to->mistake, sizeof to->mistake, "%s", from->mistake);
+    snprintf(to->seen, sizeof to->seen, "%s", from->seen);
     snprintf(to->hint, sizeof to->hint, "%s", from->hint);
 }
 
@@ -52,17 +53,52 @@ static void copy_result(LabVerdict *verdict, const LabResult *result) {
     verdict->max_score = result->max_score;
     memcpy(verdict->message, result->message, sizeof verdict->message);
     memcpy(verdict->warnings, result->warnings, sizeof verdict->warnings);
+    memcpy(verdict->summary, result->summary, sizeof verdict->summary);
     verdict->check_count = result->check_count;
     for (int c = 0; c < result->check_count; c++)
         copy_check(&verdict->checks[c], &result->checks[c]);
 }
 
-static void grade(LabVerdict *verdict, Kept *kept, int lab, const GradingOptions *options) {
+static void send_verdict(const LabVerdict *verdict, int verdicts) {
+    for (size_t sent = 0; sent < sizeof *verdict;) {
+        ssize_t n = write(verdicts, (const char *)verdict + sent, sizeof *verdict - sent);
+        if (n <= 0)
+            break;
+        sent += (size_t)n;
+    }
+}
+
+typedef struct EarlyVerdict {
+    int lab, verdicts;
+    double start;
+} EarlyVerdict;
+
+// The points, as soon as they are known: the search for the fault takes a moment longer.
+static void send_early(const LabResult *result, void *context) {
+    static LabVerdict verdict;
+    const EarlyVerdict *early = context;
+    memset(&verdict, 0, sizeof verdict);
+    copy_result(&verdict, result);
+    for (int c = 0; c < verdict.check_count; c++)
+        if (!verdict.checks[c].passed && !verdict.checks[c].mistake[0])
+            strcpy(verdict.checks[c].mistake, "looking for the cause ...");
+    verdict.lab = early->lab;
+    verdict.more = true;
+    verdict.seconds = process_now() - early->start;
+    send_verdict(&verdict, early->verdicts);
+}
+
+static void grade(LabVerdict *verdict, Kept *kept, int lab, const GradingOptions *options, int verdicts) {
     static LabResult result;
     char folder[FILES_PATH];
-    const GradeOptions how = {
-        .context = options->context, .seconds = options->seconds, .seed = options->seed, .untimed = true};
     const double start = process_now();
+    EarlyVerdict early = {lab, verdicts, start};
+    const GradeOptions how = {.context = options->context,
+                              .seconds = options->seconds,
+                              .seed = options->seed,
+                              .untimed = true,
+                              .early = send_early,
+                              .early_context = &early};
     memset(verdict, 0, sizeof *verdict);
     check_clear();
     bool ready = keep(kept, lab, options);
@@ -103,13 +139,8 @@ static _Noreturn void serve(const GradingOptions *options, const char *folder, i
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     signal(SIGPIPE, SIG_IGN);
     while (read(requests, &lab, sizeof lab) == sizeof lab) {
-        grade(&verdict, &kept, lab, options);
-        for (size_t sent = 0; sent < sizeof verdict;) {
-            ssize_t n = write(verdicts, (const char *)&verdict + sent, sizeof verdict - sent);
-            if (n <= 0)
-                break;
-            sent += (size_t)n;
-        }
+        grade(&verdict, &kept, lab, options, verdicts);
+        send_verdict(&verdict, verdicts);
         if (verdict.fault)
             break;
         warm_up(&kept, requests);
@@ -170,7 +201,8 @@ bool grading_process_take(GradingProcess *grading) {
     } else if (grading->taken < sizeof grading->verdict) {
         return false;
     }
-    grading->busy = false;
+    grading->taken = 0;
+    grading->busy = grading->verdict.more;
     if (grading->verdict.fault)
         grading_process_stop(grading);
     return true;

@@ -11,15 +11,18 @@ typedef struct VerdictCheck {
     double points;
     bool passed, undone;                     // undone: the task is not done yet, rather than done wrong
     char task[16], mistake[256], hint[1500]; // where to look, what is wrong and what helps; "" when passed
+    char seen[256];                          // what is wrong with the picture
 } VerdictCheck;
 
 // The result of a lab without its pictures.
 typedef struct LabVerdict {
     int lab; // as it was asked for
     LabStatus status;
+    bool more;        // the causes are to come, in one more verdict
     bool done, fault; // fault: we could not grade, and message says why
     double score, max_score, seconds;
     char message[RESULT_TEXT], warnings[RESULT_TEXT];
+    char summary[700]; // where to look first; "" when nothing is known to be wrong
     int check_count;
     VerdictCheck checks[RUBRIC_MAX_CHECKS];
 } LabVerdict;
@@ -45,8 +48,8 @@ typedef struct GradingProcess {
 // a message.
 bool grading_process_ask(GradingProcess *grading, int lab);
 
-// Takes what has come from grading->verdicts. True when grading->verdict is whole; a process that is lost
-// gives a verdict with a fault.
+// Takes what has come from grading->verdicts. True when grading->verdict is whole; while it says `more`, the
+// process stays busy. A process that is lost gives a verdict with a fault.
 bool grading_process_take(GradingProcess *grading);
 
 void grading_process_stop(GradingProcess *grading); // accepts a zeroed grading

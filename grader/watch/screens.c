@@ -87,7 +87,9 @@ static void show_focus(Sheet *sheet, const LabBoard *board) {
         sheet_line(sheet, STYLE_PLAIN, "  The check of task %s shows nothing before this one is done, too.",
                    waiting);
     else if (!check->undone || !focus->place[0])
-        sheet_text(sheet, STYLE_BAD, 2, check->mistake);
+        sheet_text(sheet, STYLE_BAD, 2, board->verdict.summary[0] ? board->verdict.summary : check->mistake);
+    if (!check->undone && check->seen[0])
+        sheet_text(sheet, STYLE_PLAIN, 2, check->seen);
     if (!check->undone)
         sheet_text(sheet, STYLE_PLAIN, 2, check->hint);
     show_hints(sheet, board);

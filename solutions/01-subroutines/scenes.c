@@ -37,7 +37,19 @@ static void make_shapes(Scene *scene, Random *random) {
                vec3_make(0, 0, 0));
 }
 
+// The same with the lamp behind the shapes and low: where their faces turn from it, the mirrored ray still
+// meets the eye.
+static void make_backlit(Scene *scene, Random *random) {
+    make_shapes(scene, random);
+    float azimuth = (random_int(random, 0, 1) ? 1.f : -1.f) * random_range(random, 160, 178);
+    scene->lights[0].position =
+        part_orbit(vec3_make(0, 0.5f, 0), azimuth, random_range(random, 6, 12), random_range(random, 5, 6));
+    for (int i = 0; i < scene->object_count; i++)
+        scene->objects[i].shininess = random_range(random, 2, 3);
+}
+
 const SceneMaker LAB_TABLE[] = {
     {"shapes", make_shapes},
+    {"shapes backlit", make_backlit},
     {0},
 };

@@ -31,7 +31,18 @@ static void make_studio(Scene *scene, Random *random) {
     scene->second_camera.far_plane = random_range(random, 12, 14);
 }
 
+// The second camera stands low, so that it sees the background above the floor, and its near plane is so near
+// that a depth buffer of 16 bits cannot tell the floor from what stands on it.
+static void make_studio_low(Scene *scene, Random *random) {
+    make_studio(scene, random);
+    float side = scene->second_camera.eye.x > 0 ? 1 : -1;
+    scene->second_camera.eye = part_orbit(scene->second_camera.target, side * random_range(random, 65, 100),
+                                          random_range(random, 8, 14), random_range(random, 5, 6));
+    scene->second_camera.near_plane = random_range(random, 0.003f, 0.004f);
+}
+
 const SceneMaker LAB_TABLE[] = {
     {"studio", make_studio},
+    {"studio low", make_studio_low},
     {0},
 };

@@ -1,20 +1,37 @@
 // Scenes of basic shadow maps.
 #include "scene/scene_parts.h"
 
+// Lets the light look at a point beside the origin, near enough for the table to stay in its map.
+static void aim(Light *light, Random *random) {
+    light->target = vec3_make(random_range(random, 0.3f, 0.7f), random_range(random, 0, 0.4f),
+                              random_range(random, -0.7f, 0.7f));
+    if (random_int(random, 0, 1))
+        light->target.x = -light->target.x;
+}
+
 static void make_table_spot(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 6, random);
     part_casters(scene, random);
-    part_light(scene, LIGHT_SPOT, part_above(random, 45, 70, random_range(random, 9, 10)),
-               vec3_make(0, 0, 0));
+    aim(part_light(scene, LIGHT_SPOT, part_above(random, 45, 70, random_range(random, 9, 10)),
+                   vec3_make(0, 0, 0)),
+        random);
+}
+
+// The same with a floor whose highlight lies in the shadows.
+static void make_table_shine(Scene *scene, Random *random) {
+    make_table_spot(scene, random);
+    scene->objects[0].specular = random_range(random, 0.7f, 0.9f);
+    scene->objects[0].shininess = random_range(random, 4, 7);
 }
 
 static void make_table_sun(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 6, random);
     part_casters(scene, random);
-    part_light(scene, LIGHT_DIRECTIONAL, part_above(random, 40, 70, random_range(random, 9, 10)),
-               vec3_make(0, 0, 0));
+    aim(part_light(scene, LIGHT_DIRECTIONAL, part_above(random, 40, 70, random_range(random, 9, 10)),
+                   vec3_make(0, 0, 0)),
+        random);
 }
 
 // The map covers only the middle of the floor, with a caster that its edge cuts.
@@ -38,7 +55,7 @@ static void make_far_floor(Scene *scene, Random *random) {
     part_light(scene, spot ? LIGHT_SPOT : LIGHT_DIRECTIONAL, part_above(random, 35, 45, 10),
                vec3_make(0, 0, 0));
     scene->lights[0].far_plane = random_range(random, 10.2f, 10.8f);
-    scene->lights[0].half_size = 6;
+    scene->lights[0].half_size = 4.2f; // the corners of the floor lie outside of the map
 }
 
 // The lamp hangs low over the floor and looks to the side: half of the floor lies behind it.
@@ -55,6 +72,11 @@ static void make_behind(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"table spot", make_table_spot}, {"table sun", make_table_sun}, {"wide floor", make_wide_floor},
-    {"far floor", make_far_floor},   {"behind", make_behind},       {0},
+    {"table spot", make_table_spot},
+    {"table shine", make_table_shine},
+    {"table sun", make_table_sun},
+    {"wide floor", make_wide_floor},
+    {"far floor", make_far_floor},
+    {"behind", make_behind},
+    {0},
 };
