@@ -101,6 +101,12 @@ bool atlas_layout(Atlas *atlas, const Scene *scene, float texels_per_unit, int p
     return true;
 }
 
+void atlas_number_texels(Atlas *atlas) {
+    for (int y = 0; y < atlas->height; y++)
+        for (int x = 0; x < atlas->width; x++)
+            atlas->texels[y * atlas->width + x] = (float)((5 * x + 3 * y) % 16) / 16;
+}
+
 void atlas_destroy(Atlas *atlas) {
     free(atlas->texels);
     memset(atlas, 0, sizeof *atlas);

@@ -30,6 +30,8 @@ typedef struct Atlas {
 // texels per world unit, at least one, with `padding` texels on all sides. All texels are set to 1. `atlas`
 // is zeroed or was laid out before.
 bool atlas_layout(Atlas *atlas, const Scene *scene, float texels_per_unit, int padding);
+// Instead of what was baked, gives each texel a value in [0, 1) by its column and row in the atlas.
+void atlas_number_texels(Atlas *atlas);
 void atlas_destroy(Atlas *atlas); // accepts a zeroed atlas
 
 // The place (s, t) of a chart's face in the world.

@@ -19,6 +19,7 @@ typedef struct CheckResult {
     int worst;      // that variant
     bool passed;    // all but a trace of the points
     bool otherwise; // ... by the pictures of an alternative that is "also right"
+    bool begun;     // of a submission: the TODO of its task is gone from the files
     FrameFacts facts[EXAM_MAX_VARIANTS];
     bool wrong_size,
         refused; // of the worst variant: its stage has not the reference's size; GL refused a call

@@ -6,6 +6,7 @@
 #include "scene/check.h"
 #include "base/statistics.h"
 #include "compile/lab_folder.h"
+#include "compile/todo.h"
 #include "diagnose/diagnose.h"
 #include "exam/exam_file.h"
 #include "diagnose/evidence.h"
@@ -139,7 +140,8 @@ static double points_left(const LabResult *result, const Exam *exam) {
     double points = 0;
     for (int c = 0; c < result->check_count; c++) {
         const CheckResult *check = &result->checks[c];
-        if (check->check->optional && result_touch(check, exam->variants[c]) != TOUCH_CHANGED)
+        if (check->check->optional && !check->begun &&
+            result_touch(check, exam->variants[c]) != TOUCH_CHANGED)
             points += check->check->points;
     }
     return points;
@@ -201,6 +203,13 @@ static void note_ignored(const char *name, void *context) {
     add_warning(ignored->result, text);
 }
 
+// Who has begun an optional task is judged by it, even where the picture is still that of the skeleton.
+static void note_begun(LabResult *result, const Rubric *rubric, const char *folder) {
+    char place[FILES_PATH];
+    for (int c = 0; c < result->check_count; c++)
+        result->checks[c].begun = !todo_find(rubric, folder, rubric->checks[c].task, place, sizeof place);
+}
+
 static bool take_submission(LabResult *result, WorkerClient *student, const Rubric *rubric,
                             const char *submission) {
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
@@ -215,6 +224,8 @@ static bool take_submission(LabResult *result, WorkerClient *student, const Rubr
         add_warning(result, log);
     }
     check_clear();
+    if (ok)
+        note_begun(result, rubric, submission);
     return ok;
 }
 

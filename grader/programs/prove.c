@@ -6,12 +6,10 @@
 // named correctly. `N passed, N failed` counts rows.
 #include "scene/check.h"
 #include "compile/rubric_file.h"
-#include "grade/grade_lab.h"
-#include "diagnose/diagnose.h"
+#include "proof/proof_row.h"
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "score/score.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -20,178 +18,11 @@
 
 enum { MAX_SEEDS = 100 };
 
-typedef enum Kind { KIND_SOLUTION, KIND_SKELETON, KIND_PARTIAL, KIND_MISTAKE, KIND_ALTERNATIVE } Kind;
-
-typedef struct ProofRow {
-    Kind kind;
-    int number; // of the task or of the mistake in the rubric
-    Solved solved;
-    const Change *change;
-    const struct ProofRow *before; // of a partial solution: the one with a task less
-    double percent;                // of the last run
-    double lowest, highest;        // percent
-    int right, seeds;              // runs graded as they should be
-    WorkerClient contender;        // a worker of its own, kept over the seeds
-    char other[128];               // a diagnosis that was not the mistake's name, or a check that went wrong
-} ProofRow;
-
 typedef struct Proof {
     int seeds, passed, failed;
     ContextKind context;
     bool broken; // a fault of ours
 } Proof;
-
-static void note(ProofRow *row, const char *text) {
-    if (!row->other[0])
-        snprintf(row->other, sizeof row->other, "%.120s", text);
-}
-
-// Is the mistake named in a failed check, first of what it may be, and nothing else in any?
-static bool named_right(const LabResult *result, ProofRow *row) {
-    bool named = false;
-    for (int c = 0; c < result->check_count; c++) {
-        const CheckResult *check = &result->checks[c];
-        if (check->passed)
-            continue;
-        if (strncmp(check->mistake, row->change->name, strlen(row->change->name)) != 0) {
-            note(row, check->has_cause ? check->mistake : result->message);
-            return false;
-        }
-        named = true;
-    }
-    return named;
-}
-
-static bool all_zero(const LabResult *result, ProofRow *row) {
-    for (int c = 0; c < result->check_count; c++)
-        if (result->checks[c].share > 0) {
-            note(row, result->checks[c].check->name);
-            return false;
-        }
-    return true;
-}
-
-static bool all_full(const LabResult *result, ProofRow *row) {
-    for (int c = 0; c < result->check_count; c++)
-        if (result->checks[c].share < 1) {
-            note(row, result->checks[c].check->name);
-            return false;
-        }
-    if (result->message[0] || result->warnings[0])
-        note(row, result->message[0] ? result->message : result->warnings);
-    return !result->message[0] && !result->warnings[0];
-}
-
-static bool judge(const LabResult *result, ProofRow *row, const Rubric *rubric) {
-    switch (row->kind) {
-    case KIND_SKELETON:
-        return all_zero(result, row);
-    case KIND_PARTIAL:
-        return row->percent >= row->before->percent - 1e-9;
-    case KIND_MISTAKE:
-        return named_right(result, row) && result->score < rubric->pass_mark / 100 * result->max_score &&
-               result->status != LAB_PASSED;
-    default:
-        return all_full(result, row);
-    }
-}
-
-static const Image *ours(const ProofRow *row, Exam *exam, int c, int n) {
-    const Variant *variant = &exam->variants[c][n];
-    if (row->kind == KIND_SKELETON)
-        return &variant->skeleton;
-    bool mistake = row->kind == KIND_MISTAKE;
-    const Image *image =
-        mistake ? exam_mistake(exam, row->number, c, n) : exam_partial(exam, row->number, c, n);
-    const LatePicture *late =
-        mistake ? &exam->mistakes[row->number][c][n] : &exam->partials[row->number][c][n];
-    return image && late->drawn ? image : NULL;
-}
-
-static FrameFacts our_facts(const ProofRow *row, const Exam *exam, int c, int n) {
-    return row->kind == KIND_SKELETON  ? (FrameFacts){0}
-           : row->kind == KIND_MISTAKE ? exam->mistakes[row->number][c][n].facts
-                                       : exam->partials[row->number][c][n].facts;
-}
-
-// Skeletons, partial solutions and mistakes are drawn for the diagnosis, too. Those frames are taken as the
-// row's. False when one of them was not drawn: then the row's own worker has to say why.
-static bool share_frames(LabResult *result, const ProofRow *row, Exam *exam) {
-    if (row->kind != KIND_SKELETON && row->kind != KIND_PARTIAL && row->kind != KIND_MISTAKE)
-        return false;
-    for (int c = 0; c < result->check_count; c++)
-        for (int n = 0; n < result->checks[c].check->variants; n++) {
-            const Image *image = ours(row, exam, c, n);
-            if (!image || !image_copy(&result->checks[c].yours[n], image))
-                return false;
-            result->checks[c].facts[n] = our_facts(row, exam, c, n);
-        }
-    return true;
-}
-
-// A worker that draws for one lab only and compiles its shaders well, and the one that draws for all of ours
-// must show the same.
-static bool draws_the_same(const LabResult *result, ProofRow *row, Exam *exam) {
-    static LabResult shared;
-    grade_begin(&shared, exam->rubric);
-    bool same = true;
-    if (share_frames(&shared, row, exam))
-        for (int c = 0; same && c < shared.check_count; c++)
-            for (int n = 0; same && n < shared.checks[c].check->variants; n++) {
-                const Image *own = &result->checks[c].yours[n], *other = &shared.checks[c].yours[n];
-                same = own->rgba && memcmp(own->rgba, other->rgba, image_bytes(own)) == 0;
-            }
-    result_destroy_lab(&shared);
-    if (!same)
-        note(row, "another picture in a worker of its own");
-    return same;
-}
-
-static void draw_row(LabResult *result, ProofRow *row, const Painter *painter, Exam *exam) {
-    row->contender.trust = TRUST_OURS;
-    row->contender.context = exam->painters->context;
-    memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
-    grade_begin(result, exam->rubric);
-    grade_frames(result, exam, &row->contender, false);
-}
-
-// Most mistakes are named by their pictures alone, as in the student's kit. Where they draw nothing, only the
-// part with the fault can tell.
-static bool name_causes(LabResult *result, ProofRow *row, Exam *exam) {
-    ProofRow unnamed = *row;
-    return diagnose(result, exam, &row->contender, false) &&
-           (row->kind != KIND_MISTAKE || named_right(result, &unnamed) ||
-            diagnose(result, exam, &row->contender, true));
-}
-
-// Grades one of ours as if it were a submission: by a worker of its own, but for frames that are known from
-// the second seed on.
-static bool run_row(ProofRow *row, Exam *exam, Painters *painters) {
-    static LabResult result;
-    const Painter *painter = painters_get(painters, row->solved, row->change);
-    if (!painter)
-        return false;
-    bool first = row->seeds == 0, same = true;
-    grade_begin(&result, exam->rubric);
-    if (!first && share_frames(&result, row, exam)) {
-        grade_pictures(&result, exam);
-    } else {
-        result_destroy_lab(&result);
-        draw_row(&result, row, painter, exam);
-        same = draws_the_same(&result, row, exam);
-    }
-    memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
-    bool ok = name_causes(&result, row, exam);
-    double percent = row->percent = 100 * result.score / result.max_score;
-    if (first || percent < row->lowest)
-        row->lowest = percent;
-    if (first || percent > row->highest)
-        row->highest = percent;
-    row->seeds++;
-    row->right += ok && same && judge(&result, row, exam->rubric);
-    result_destroy_lab(&result);
-    return ok;
-}
 
 // One row a task that a check is about, solved up to it.
 static int list_partials(ProofRow *rows, int count, const Rubric *rubric) {
@@ -247,7 +78,7 @@ static bool prove_seeds(const Rubric *rubric, Proof *proof, ProofRow *rows, int 
     for (int seed = 1; ok && seed <= proof->seeds; seed++) {
         ok = exam_create(exam, rubric, painters, (uint64_t)seed);
         for (int i = 0; ok && i < count; i++)
-            ok = run_row(&rows[i], exam, painters);
+            ok = proof_row_run(&rows[i], exam, painters);
         if (ok)
             exam_destroy(exam);
     }

@@ -18,7 +18,7 @@ static const JsonField reason_fields[] = {{"why", FIELD_NAME, FIELD_NEEDED, 1, R
                                           {0}};
 
 static const JsonField change_fields[] = {{"file", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
-                                          {"line", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_HINT},
+                                          {"line", FIELD_LINES, FIELD_NEEDED, 1, RUBRIC_MAX_HINT},
                                           {"from", FIELD_NAME, FIELD_NEEDED, 0, RUBRIC_MAX_HINT},
                                           {"to", FIELD_LIST, FIELD_OPTIONAL, 1, MAX_ENTRIES},
                                           {"nth", FIELD_WHOLE, FIELD_OPTIONAL, 1, MAX_ENTRIES},
@@ -45,6 +45,8 @@ static bool read_change(EqualList *list, const Rubric *rubric, const JsonPlace *
                             .task = text_of(json, "task"),
                             .to = json_object_get(json, "to"),
                             .nth = (int)json_integer_value(json_object_get(json, "nth"))};
+    if (!change->line)
+        return json_fields_fail(place, "line", "it is a list; write one text");
     if (!rubric_names_file(rubric, change->file))
         return json_fields_fail(place, "file",
                                 "\"%s\" is not in the list \"files\" of rubric.json; write one of those",
@@ -98,12 +100,13 @@ void equal_destroy(EqualList *list) {
     *list = (EqualList){0};
 }
 
+// Does the part begin in the line around `at`? It may go on in the next lines, to tell equal lines apart.
 static bool line_has(const char *text, size_t at, const char *part) {
     const char *begin = text + at, *found;
     while (begin > text && begin[-1] != '\n')
         begin--;
     found = strstr(begin, part);
-    return found && found + strlen(part) <= text + at + strcspn(text + at, "\n");
+    return found && found < text + at + strcspn(text + at, "\n");
 }
 
 static bool names(const EqualChange *change, const Mutant *mutant) {

@@ -1,11 +1,11 @@
-// The changes of a solution that are equal in effect, with the reason: solutions/NN-name/equal.json, a list
-// of
+// The changes of a solution that are equal in effect, with the reason. solutions/NN-name/equal.json is a list:
 //
 //     {"why": "the picture is opaque", "changes": [
 //         {"file": "shade.frag", "line": "o_color = vec4(color, 1.0)", "from": "1.0", "to": ["0.0", "2.0"]}]}
 //
-// "line" is a part of the line in which the change begins; without "to" any change of "from" is meant. "nth":
-// 2 means the second place in the line where "from" changes, else all places are meant.
+// "line" is a part of the line in which the change begins, with lines that follow where it must be told from
+// an equal one; without "to" any change of "from" is meant. "nth": 2 means the second place in the line where
+// "from" changes, "task": "3.6" only the answer to that task; else all are meant.
 #pragma once
 
 #include "compile/rubric.h"

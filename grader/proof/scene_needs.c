@@ -18,6 +18,8 @@ static const struct {
 } excuses[] = {
     {"edge", 0,
      "the floor: the lens looks at the map around one of its points, and only the picture shows it"},
+    {"short sight", 3,
+     "the box before the near plane: the solution does not show it, and who has another near plane does"},
 };
 
 const char *scene_needs_excuse(const char *scene, int object) {

@@ -4,7 +4,7 @@
 #include "scene/check.h"
 #include "compile/rubric_file.h"
 #include "base/places.h"
-#include "watch/todo.h"
+#include "compile/todo.h"
 
 #include <stdio.h>
 #include <stdlib.h>

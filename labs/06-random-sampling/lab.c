@@ -4,7 +4,16 @@
 
 #include "offsets.h"
 
-enum { KNOB_MAP_SIZE, KNOB_RADIUS, KNOB_COLUMNS, KNOB_ROWS, KNOB_PATTERN_SIZE, KNOB_EARLY_OUT, KNOB_SPIRAL };
+enum {
+    KNOB_MAP_SIZE,
+    KNOB_RADIUS,
+    KNOB_COLUMNS,
+    KNOB_ROWS,
+    KNOB_PATTERN_SIZE,
+    KNOB_EARLY_OUT,
+    KNOB_SPIRAL,
+    KNOB_CELLS
+};
 enum { PROGRAM_DEPTH, PROGRAM_SHADOW, PROGRAM_TAPS };
 enum { LENS_SIZE = 64 };
 
@@ -20,7 +29,8 @@ static bool create(const Frame *frame) {
                               .columns = columns,
                               .rows = rows,
                               .layers = columns * rows / 2,
-                              .spiral = frame->knobs[KNOB_SPIRAL] > 0};
+                              .spiral = frame->knobs[KNOB_SPIRAL] > 0,
+                              .anywhere = frame->knobs[KNOB_CELLS] <= 0};
     return shadow_map_create(&state.map, (int)frame->knobs[KNOB_MAP_SIZE], GL_DEPTH_COMPONENT24) &&
            target_create(&state.lens, LENS_SIZE, LENS_SIZE, GL_RGBA8, 0) && pattern_create(&state.pattern);
 }
@@ -91,7 +101,8 @@ const Lab lab = {
               [KNOB_ROWS] = {"rows", "samples", 2, 16, 8},
               [KNOB_PATTERN_SIZE] = {"pattern size", "pixels", 1, 64, 8},
               [KNOB_EARLY_OUT] = {"early-out", "", 0, 1, 1, {"off", "on"}},
-              [KNOB_SPIRAL] = {"spiral", "", 0, 1, 0, {"off", "on"}}},
+              [KNOB_SPIRAL] = {"spiral", "", 0, 1, 0, {"off", "on"}},
+              [KNOB_CELLS] = {"cells", "", 0, 1, 1, {"off", "on"}}},
     .passes = {{"shadow map", draw_map, PASS_PREPARE},
                {"picture", draw_picture},
                {"lens", draw_lens, PASS_SHOW}},

@@ -13,6 +13,7 @@ typedef struct Pattern {
     int columns, rows; // the grid of a pixel's samples, one in each cell
     int layers;        // two samples each
     bool spiral;       // another arrangement, to compare with
+    bool anywhere;     // another one: no cells, each sample anywhere in the square
 } Pattern;
 
 // Where sample k lies in the unit square. Both coordinates of `jitter` are random in [-0.5, 0.5).
@@ -48,6 +49,8 @@ static void fill_offsets(const Pattern *pattern, float *texels) {
                 jitter.x = random_range(&random, -0.5f, 0.5f);
                 jitter.y = random_range(&random, -0.5f, 0.5f);
                 vec2s offset = disc_from_square(square_from_sample(pattern, k, jitter));
+                if (pattern->anywhere)
+                    offset = disc_from_square((vec2s){{jitter.x + 0.5f, jitter.y + 0.5f}});
                 if (pattern->spiral)
                     offset = spiral_from_sample(pattern, k, y * pattern->size + x);
                 int at = 0;

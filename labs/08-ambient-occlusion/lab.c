@@ -16,9 +16,8 @@ static struct {
 
 // Direction of a ray, in the world, from two numbers in [0, 1) x [0, 1).
 static vec3s cosine_direction(const Chart *chart, vec2s pair) {
-    // TODO(8.7): a point of the unit disc, at the radius r = sqrt(pair.x) and the angle 2 pi pair.y, lifted
-    // onto the hemisphere: x = r cos, y = r sin, z = sqrt(1 - pair.x). In the world: x right + y up + z
-    // normal of the chart. Until then all rays go straight up. Look up: glms_vec3_scale, glms_vec3_add.
+    // TODO(8.7): a point of the unit disc, at radius r = sqrt(pair.x) and angle 2 pi pair.y, lifted onto the
+    // hemisphere: x = r cos, y = r sin, z = sqrt(1 - pair.x). In the world: x right + y up + z normal.
     UNUSED(pair);
     return chart->normal;
 }
@@ -39,9 +38,8 @@ static float bake_at(const Frame *frame, const Chart *chart, vec3s position, int
 }
 
 static void fill_chart(const Frame *frame, Atlas *atlas, const Chart *chart) {
-    // TODO(8.2): give each texel (x, y) of the chart bake_at of its middle: s = (x + 1/2) /
-    // width, t likewise. Its number is row * atlas->width + column, counted in the atlas.
-    // Look up: atlas_position, Chart.
+    // TODO(8.2): give texel (x, y) of the chart bake_at of its middle: s = (x + 1/2) / width, t likewise. Its
+    // number is row * atlas->width + column, counted in the atlas. Look up: atlas_position, Chart.
     UNUSED(frame, atlas, chart, bake_at);
 }
 
@@ -60,6 +58,8 @@ static void bake(const Frame *frame) {
         fill_chart(frame, atlas, &atlas->charts[c]);
         pad_chart(atlas, &atlas->charts[c]);
     }
+    if (frame->knobs[KNOB_PATTERN] > 1)
+        atlas_number_texels(atlas);
     glBindTexture(GL_TEXTURE_2D, state.texture);
     // TODO(8.1): give the texture the size and the texels of the atlas, one float each (GL_R32F, GL_RED,
     // GL_FLOAT), and linear filters without mipmaps. Look up: glTexImage2D, glTexParameteri.
@@ -110,7 +110,7 @@ const Lab lab = {
               [KNOB_RAYS] = {"rays", "per texel", 1, 4096, 64},
               [KNOB_RAY_LENGTH] = {"ray length", "world units", 0.1f, 100, 100},
               [KNOB_METHOD] = {"method", "", 0, 1, 0, {"baked", "screen space"}},
-              [KNOB_PATTERN] = {"test pattern", "", 0, 1, 0, {"rays", "stripes"}}},
+              [KNOB_PATTERN] = {"test pattern", "", 0, 2, 0, {"rays", "stripes", "texels"}}},
     .passes = {{"bake", bake, PASS_PREPARE},
                {"screen occlusion", draw_screen_occlusion, PASS_PREPARE},
                {"picture", draw_picture}},

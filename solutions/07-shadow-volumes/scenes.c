@@ -104,20 +104,36 @@ static void make_into_sky(Scene *scene, Random *random) {
         glms_scale(glms_rotate(placed, glm_rad(90), vec3_make(1, 0, 0)), vec3_make(3, 1, 3));
 }
 
-// The camera's far plane lies close behind the floor: volumes go on, surfaces do not.
+// How far the corners of the floor of make_short_sight lie in front of the camera: the least and the most.
+static vec2s find_depths(const Camera *camera, float half) {
+    vec3s view = glms_vec3_normalize(glms_vec3_sub(camera->target, camera->eye));
+    vec2s depths = {{1e9f, 0}};
+    for (int i = 0; i < 4; i++) {
+        vec3s corner = vec3_make(i & 1 ? half : -half, 0, i & 2 ? half : -half);
+        float depth = glms_vec3_dot(glms_vec3_sub(corner, camera->eye), view);
+        depths = (vec2s){{fminf(depths.x, depth), fmaxf(depths.y, depth)}};
+    }
+    return depths;
+}
+
+// The camera's far plane lies close behind the floor: volumes go on, surfaces do not. Its near plane cuts the
+// floor's nearest corner off, and hides a small box that is much nearer: who only clamps depths shows both.
 static void make_short_sight(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 3, random);
     part_casters(scene, random);
     vec3s lamp = beside(scene, random, 25, 50, random_range(random, 35, 45));
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
-    scene->camera.far_plane = 0;
+    vec2s depths = find_depths(&scene->camera, 3);
+    scene->camera.near_plane = depths.x + random_range(random, 0.8f, 1.1f);
+    scene->camera.far_plane = depths.y + 0.05f;
+    const float near = 0.3f * scene->camera.near_plane, half = 0.1f * near;
     vec3s view = glms_vec3_normalize(glms_vec3_sub(scene->camera.target, scene->camera.eye));
-    for (int i = 0; i < 4; i++) {
-        vec3s corner = vec3_make(i & 1 ? 3 : -3, 0, i & 2 ? 3 : -3);
-        float depth = glms_vec3_dot(glms_vec3_sub(corner, scene->camera.eye), view);
-        scene->camera.far_plane = fmaxf(scene->camera.far_plane, depth + 0.05f);
-    }
+    vec3s right = glms_vec3_normalize(glms_vec3_cross(view, vec3_make(0, 1, 0)));
+    vec3s place = glms_vec3_muladds(right, random_range(random, -0.25f, 0.25f) * near,
+                                    glms_vec3_muladds(view, near, scene->camera.eye));
+    part_object(scene, SHAPE_BOX, place, vec3_make(half, half, half), random_range(random, 0, 90),
+                part_color(random));
 }
 
 // Each box has a side in whose plane the lamp lies, so that its light only grazes it.

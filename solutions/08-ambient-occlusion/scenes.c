@@ -65,6 +65,20 @@ static void make_canopy(Scene *scene, Random *random) {
                 vec3_make(r, r, r), 0, part_color(random));
 }
 
+// Sheets over a floor, so close to it or so high that all rays of a texel hit one within half a unit, or none
+// does, whatever their directions: the sheets end where texels of a third of a unit do.
+static void make_sheets(Scene *scene, Random *random) {
+    begin_sky(scene, random, 5.5f);
+    part_floor(scene, 1.5f, random);
+    for (int i = 0; i < 4; i++) {
+        float width = (float)random_int(random, 1, 3), depth = (float)random_int(random, 2, 3);
+        float left = (float)random_int(random, 0, 1) + (i % 2 ? 0.5f : -4.5f),
+              back = (float)random_int(random, 0, 1) + (i / 2 ? 0.5f : -4.5f);
+        vec3s middle = vec3_make((left + width / 2) / 3, i == 0 ? 0.8f : 0.006f, (back + depth / 2) / 3);
+        part_object(scene, SHAPE_PLANE, middle, vec3_make(width / 6, 1, depth / 6), 0, part_color(random));
+    }
+}
+
 // Posts far in front of a wall, as the camera sees them.
 static void make_posts(Scene *scene, Random *random) {
     begin_sky(scene, random, 5.5f);
@@ -81,9 +95,6 @@ static void make_posts(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"sky corner", make_corner},
-    {"sky blocks", make_blocks},
-    {"sky canopy", make_canopy},
-    {"sky posts", make_posts},
-    {0},
+    {"sky corner", make_corner}, {"sky blocks", make_blocks}, {"sky canopy", make_canopy},
+    {"sky sheets", make_sheets}, {"sky posts", make_posts},   {0},
 };

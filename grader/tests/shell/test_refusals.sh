@@ -36,8 +36,8 @@ with $three/rubric.json 'j["checks"][0]["scene"] = "moon"' "${prove[@]}"
 expect "an unknown scene" 3 'rubric.json: checks[0] "depth map: spot light": scene: there is no scene "moon"; the scenes are'
 with $three/rubric.json 'j["checks"][0]["view"] = "moon"' "${prove[@]}"
 expect "an unknown stage" 3 'checks[0] "depth map: spot light": view: the lab has no stage "moon"'
-with $three/rubric.json 'j["checks"][6]["scene"] = "table sun"' build/grade --lab 03 --seed 1 labs
-expect "a check whose task does not show" 3 'check "lit outside the map": seed 1 gives only' "of 3 variants in which the task shows" "fix the rubric"
+with $three/rubric.json 'j["checks"][7]["scene"] = "table sun"' build/grade --lab 03 --seed 1 labs
+expect "a check whose task does not show" 3 'check "dark behind the spot light": seed 1 gives only' "of 3 variants in which the task shows" "fix the rubric"
 
 # The gates.
 export SKIP_TIDY=1
@@ -57,7 +57,7 @@ broken "a hint that holds a line of the solution" "3.4: glClear(GL_DEPTH_BUFFER_
 broken "a mistake's hint that holds what is returned" "step order: depth<position_map.z?0.0:1.0" "sed -i '0,/\"name\": \"[^\"]*\"/s//\"name\": \"step order\"/; 0,/\"hint\": \"/s//&depth < position_map.z ? 0.0 : 1.0/' $three/mistakes.json"
 broken "a task that the handout forgets" "FAILED: 03-shadow-map: task ids agree" "sed -i '/^| 3.5 /d' $three/README.md && build/skeletons labs"
 broken "points that do not sum to 100" "FAILED: 03-shadow-map: 100 points" "sed -i 's/\"points\": 10/\"points\": 11/' $three/rubric.json"
-broken "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds without warnings" "sed -i 's/    (void)light;//' $three/lab.c && sed -i 's/^static void destroy/static int unused;\n&/' $three/lab.c && build/skeletons labs"
+broken "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds without warnings" "sed -i 's/    UNUSED(light);//' $three/lab.c && sed -i 's/^static void destroy/static int unused;\n&/' $three/lab.c && build/skeletons labs"
 broken "a long file" "FAILED: files of at most 300 lines" "seq -f '// %g' 301 >common/long.h"
 broken "a long student file" "FAILED: student files of at most 120 lines" "seq -f '// %g' 121 >>$three/shadow.frag && build/skeletons labs"
 broken "a long .c that does not say its job" "common/gl.c: its first line says nothing" "sed -i '0,/^#include/{/^\/\//d}' common/gl.c"

@@ -1,4 +1,4 @@
-#include "watch/todo.h"
+#include "compile/todo.h"
 
 #include "scene/check.h"
 #include "compile/lab_folder.h"
