@@ -59,7 +59,7 @@ run() { status=0; out=$("$@" 2>&1 </dev/null) || status=$?; }
 run env SHADOW_LAB_PROGRESS="$work/progress" "$kit/build/watch" --lab 03 --seed 2
 expect "the watch" 1 "3.1"
 run "$kit/grader/scripts/hint" 3.2
-expect "hints" 0 "Hint 1 of 2 for task 3.2"
+expect "hints" 0 "Hint 1 of 3 for task 3.2"
 cp "$half"/03-shadow-map/lab.c "$kit/labs/03-shadow-map"
 run "$kit/grader/scripts/reset" 03
 expect "reset" 0 "is the skeleton again"
