@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// In the student's kit mistakes have no edits.
+// In the student's kit neither has edits.
 static const JsonField mistake_fields[] = {{"name", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
                                            {"task", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
                                            {"hint", FIELD_LINES, FIELD_NEEDED, 1, RUBRIC_MAX_HINT},
@@ -16,7 +16,7 @@ static const JsonField mistake_fields[] = {{"name", FIELD_NAME, FIELD_NEEDED, 1,
                                            {0}};
 
 static const JsonField alternative_fields[] = {{"name", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
-                                               {"edits", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_EDITS},
+                                               {"edits", FIELD_LIST, FIELD_OPTIONAL, 1, RUBRIC_MAX_EDITS},
                                                {0}};
 
 static const JsonField edit_fields[] = {{"file", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},

@@ -9,6 +9,7 @@
 #include "score/error_kind.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct Diagnosis {
@@ -91,6 +92,15 @@ static void describe_size(CheckResult *check, const Variant *variant) {
              ours->stage_height);
 }
 
+// The labs before the first shadow map have no shadows; stages are maps, atlases and counts.
+static ErrorView view_of(const CheckResult *check, const Rubric *rubric) {
+    const bool shadows = atoi(rubric->id) > 2;
+    if (shadows && strcmp(check->check->view, "picture") == 0)
+        return ERROR_VIEW_SHADED;
+    return shadows && strcmp(check->check->view, "visibility") == 0 ? ERROR_VIEW_VISIBILITY
+                                                                    : ERROR_VIEW_VALUES;
+}
+
 // What the picture shows, when it says something beside the cause.
 static void describe(CheckResult *check, int c, const Diagnosis *this) {
     const Exam *exam = this->exam;
@@ -108,7 +118,7 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
         snprintf(check->seen, sizeof check->seen, "the picture is that of the lab as it was handed out");
     else
         error_kind(check->seen, sizeof check->seen, &check->yours[check->worst],
-                   &exam->variants[c][check->worst].reference);
+                   &exam->variants[c][check->worst].reference, view_of(check, exam->rubric));
 }
 
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {

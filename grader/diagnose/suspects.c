@@ -47,6 +47,20 @@ static void insert(Suspects *suspects, Evidence *sorted, int t, const Evidence *
     sorted[i] = *evidence;
 }
 
+// The task that all checks in question are about; -1: they are about several.
+static int own_task(const LabResult *result, const Rubric *rubric, const bool failed[]) {
+    int own = -1;
+    for (int c = 0; c < result->check_count; c++) {
+        const int t = failed[c] ? rubric_task_index(rubric, result->checks[c].check->task) : own;
+        if (t < 0 && failed[c])
+            return -1;
+        if (own >= 0 && t != own)
+            return -1;
+        own = t;
+    }
+    return own;
+}
+
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
                    const bool among[]) {
     Evidence sorted[EXAM_MAX_TASKS], evidence;
@@ -67,5 +81,8 @@ bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, cons
         equal++;
     suspects->count = equal;
     suspects->certain = equal > 0 && sorted[0].for_it == wanted && sorted[0].against == 0;
+    const int own = own_task(result, exam->rubric, failed);
+    if (!suspects->certain && own >= 0 && among[own])
+        *suspects = (Suspects){.tasks = {own}, .count = 1};
     return true;
 }

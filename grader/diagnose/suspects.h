@@ -13,7 +13,8 @@ typedef struct Suspects {
 } Suspects;
 
 // Of the tasks in `among` (by index) those that show in all checks in `failed` and in the fewest that passed;
-// when none shows in all, those that show in most. A check's own tasks come first among equals. False with a
-// message when ours cannot draw.
+// when none shows in all, those that show in most. Where that
+// is not certain and all failed checks are about one task, that one. A check's own tasks come first among
+// equals. False with a message when ours cannot draw.
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
                    const bool among[]);

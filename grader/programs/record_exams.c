@@ -41,11 +41,19 @@ static json_t *public_mistakes(const Rubric *rubric) {
     return list;
 }
 
+// The names of those whose pictures are recorded, for the rubric asks for them.
+static json_t *public_alternatives(const Rubric *rubric) {
+    json_t *list = json_array();
+    for (int a = 0; a < rubric->also_count; a++)
+        json_array_append_new(list, json_pack("{s:s}", "name", rubric->also[a]->name));
+    return list;
+}
+
 static bool record_texts(const Rubric *rubric, const char *folder) {
     return write_json(folder, "rubric.json", read_json(rubric, "rubric.json")) &&
            write_json(folder, "hints.json", read_json(rubric, "hints.json")) &&
            write_json(folder, "mistakes.json", public_mistakes(rubric)) &&
-           write_json(folder, "alternatives.json", json_array());
+           write_json(folder, "alternatives.json", public_alternatives(rubric));
 }
 
 static void record_lab(const char *id, void *context) {

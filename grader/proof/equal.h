@@ -1,4 +1,4 @@
-// The changes of a solution that are equal in effect, with the reason. solutions/NN-name/equal.json is a list:
+// The changes of a solution that are equal in effect, and why: solutions/NN-name/equal.json, a list of
 //
 //     {"why": "the picture is opaque", "changes": [
 //         {"file": "shade.frag", "line": "o_color = vec4(color, 1.0)", "from": "1.0", "to": ["0.0", "2.0"]}]}

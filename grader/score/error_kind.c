@@ -3,6 +3,7 @@
 
 #include "scene/check.h"
 #include "score/score.h"
+#include "score/whole_kind.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -148,17 +149,18 @@ static bool is_resized(char *text, size_t size, const Image *yours, const Image 
     double wrong = sum->darker + sum->lighter, ratio = mine / right;
     bool one_sign =
         fmin(sum->darker, sum->lighter)<REST * wrong, explained = fabs(mine - right)>(1 - REST) * wrong;
-    if (!one_sign || !explained || ratio < 0.3 || ratio > 3 || mine == 0)
+    if (!one_sign || !explained || ratio < 0.3 || ratio > 3 || mine == 0 || fabs(ratio - 1) < 0.1)
         return false;
     check_append(text, size, "wrong size: the dark part has %.1f times its area", ratio);
     return true;
 }
 
 // What is wrong with the shadows, by the share of the wrong pixels that have one sign.
-static const char *shadow_kind(const Tally *sum, double wrong, double pixels) {
-    if (sum->at_edges > (1 - REST / 2) * wrong)
+static const char *shadow_kind(const Tally *sum, double wrong, double pixels, ErrorView view) {
+    if (sum->at_edges > (1 - REST / 2) * wrong && wrong < pixels / 8)
         return "edges only: right but for the edges";
-    if (wrong > pixels / 3 && fabs(sum->dark_change) > fabs(sum->light_change) / 2)
+    if (view == ERROR_VIEW_SHADED && wrong > pixels / 3 &&
+        fabs(sum->dark_change) > fabs(sum->light_change) / 2)
         return sum->dark_change > 0 ? "ambient term: the shadows are too bright, too"
                                     : "ambient term: the shadows are too dark, too";
     if (sum->darker > (1 - REST) * wrong)
@@ -166,11 +168,33 @@ static const char *shadow_kind(const Tally *sum, double wrong, double pixels) {
     if (sum->lighter > (1 - REST) * wrong)
         return "false light: too bright where shadow should be";
     if (fmin(sum->darker, sum->lighter) > REST * wrong)
-        return "offset: the shadow has about its size but lies elsewhere";
+        return "offset, or wider or narrower: the shadow is not where it should be";
     return "another colour";
 }
 
-const char *error_kind(char *text, size_t size, const Image *yours, const Image *reference) {
+// The same where there are no shadows.
+static const char *value_kind(const Tally *sum, double wrong, double pixels) {
+    if (sum->at_edges > (1 - REST / 2) * wrong && wrong < pixels / 8)
+        return "edges only: right but for the edges";
+    if (sum->darker > (1 - REST) * wrong)
+        return "too dark";
+    if (sum->lighter > (1 - REST) * wrong)
+        return "too bright";
+    if (sum->other > (1 - REST) * wrong)
+        return "another colour";
+    return "another picture: partly too dark, partly too bright";
+}
+
+// "; 12 % of the picture (9 % too dark, 3 % too bright), mostly at the left": without what is 0.
+static void add_amounts(char *text, size_t size, const Tally *sum, double wrong, double pixels) {
+    const double dark = 100 * sum->darker / pixels, bright = 100 * sum->lighter / pixels;
+    check_append(text, size, "; %.0f %% of the picture", fmax(100 * wrong / pixels, 1));
+    if (dark >= 1 && bright >= 1)
+        check_append(text, size, " (%.0f %% too dark, %.0f %% too bright)", dark, bright);
+    check_append(text, size, ", mostly at the %s", place(sum->x, sum->y));
+}
+
+const char *error_kind(char *text, size_t size, const Image *yours, const Image *reference, ErrorView view) {
     Tally sum = tally(yours, reference);
     double wrong = fmax(sum.darker + sum.lighter + sum.other, 1),
            pixels = (double)yours->width * yours->height;
@@ -182,14 +206,17 @@ const char *error_kind(char *text, size_t size, const Image *yours, const Image 
     const char *moved = moved_kind(text, size, yours, reference, wrong);
     if (moved)
         return moved;
-    const char *kind = shadow_kind(&sum, wrong, pixels);
+    const char *kind = whole_kind(yours, reference, wrong);
+    if (kind) {
+        check_append(text, size, "%s", kind);
+        return kind;
+    }
+    kind =
+        view == ERROR_VIEW_VALUES ? value_kind(&sum, wrong, pixels) : shadow_kind(&sum, wrong, pixels, view);
     char resized[100] = "";
     check_append(text, size, "%s", kind);
-    if (is_resized(resized, sizeof resized, yours, reference, &sum))
+    if (view != ERROR_VIEW_VALUES && is_resized(resized, sizeof resized, yours, reference, &sum))
         check_append(text, size, "; %s", resized);
-    check_append(text, size,
-                 "; %.0f %% of the picture (%.0f %% too dark, %.0f %% too bright), mostly at the %s",
-                 fmax(100 * wrong / pixels, 1), 100 * sum.darker / pixels, 100 * sum.lighter / pixels,
-                 place(sum.x, sum.y));
+    add_amounts(text, size, &sum, wrong, pixels);
     return kind;
 }

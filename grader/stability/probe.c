@@ -5,8 +5,10 @@
 #include <math.h>
 #include <string.h>
 
+enum { PROBE_SAMPLES = 256 }; // for a lamp with an extent; others need none
+
 bool probe_begin(Probe *probe, LabSet *labs, const char *lab, const Scene *scene, int width, int height) {
-    const TruthQuery query = {.kind = TRUTH_LIGHT};
+    const TruthQuery query = {.kind = TRUTH_LIGHT, .samples = PROBE_SAMPLES, .seed = 1};
     *probe = (Probe){.labs = labs, .lab = lab};
     probe->setting = (Setting){.view = VIEW_VISIBILITY, .object = TRUTH_NONE};
     LabArtist *artist = lab_set_artist(labs, lab, NULL);

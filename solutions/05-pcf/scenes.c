@@ -3,8 +3,8 @@
 
 static const float SLANT_GAP = 0.42f;
 
-// A plate before the wall, parallel to it, `gap` away and turned about its own normal. It has no thickness: its
-// narrow sides would be steep for the light, and their bias large.
+// A plate before the wall, parallel to it, `gap` away and turned about its own normal. It has no thickness:
+// its narrow sides would be steep for the light, and their bias large.
 static void add_plate(Scene *scene, Random *random, float x, float y, float gap) {
     vec3s center =
         vec3_make(x + random_range(random, -0.3f, 0.3f), y + random_range(random, -0.25f, 0.25f), gap);
@@ -23,7 +23,8 @@ static void make_plates(Scene *scene, Random *random, LightKind kind) {
     wall->world_from_object =
         glms_mat4_mul(glms_rotate_make(glm_rad(90), vec3_make(1, 0, 0)), wall->world_from_object);
     for (int i = 0; i < 4; i++)
-        add_plate(scene, random, i % 2 ? 1.0f : -1.0f, i / 2 ? 0.75f : -0.75f, random_range(random, 1.3f, 2.0f));
+        add_plate(scene, random, i % 2 ? 1.0f : -1.0f, i / 2 ? 0.75f : -0.75f,
+                  random_range(random, 1.3f, 2.0f));
     vec3s aim = vec3_make(random_range(random, -0.2f, 0.2f), random_range(random, -0.2f, 0.2f), 0);
     Light *light = part_light(scene, kind, vec3_make(aim.x, aim.y, 10), aim);
     light->fov_y = glm_rad(36);

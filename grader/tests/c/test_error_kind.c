@@ -31,7 +31,7 @@ static Image picture(void) {
 static void expect(Image yours, const char *kind, const char *more) {
     Image reference = picture();
     char text[300];
-    error_kind(text, sizeof text, &yours, &reference);
+    error_kind(text, sizeof text, &yours, &reference, ERROR_VIEW_SHADED);
     if (strncmp(text, kind, strlen(kind)) != 0 || !strstr(text, more))
         fail_msg("expected \"%s ... %s\", got \"%s\"", kind, more, text);
     image_destroy(&yours);
@@ -73,7 +73,7 @@ static void test_offset(void **unused) {
     square(&yours, 70, 4, 20, DARK);
     square(&reference, 70, 4, 20, DARK);
     char text[300];
-    error_kind(text, sizeof text, &yours, &reference);
+    error_kind(text, sizeof text, &yours, &reference, ERROR_VIEW_SHADED);
     assert_memory_equal(text, "offset", 6);
     image_destroy(&yours);
     image_destroy(&reference);
@@ -102,13 +102,84 @@ static void test_ambient(void **unused) {
     for (size_t at = 0; at < image_bytes(&yours); at += 4)
         for (size_t c = 0; c < 3; c++)
             yours.rgba[at + c] += 30;
+    expect(yours, "the same picture, but brighter by the same amount everywhere", "");
+    yours = picture();
+    for (size_t at = 0; at < image_bytes(&yours); at += 4)
+        for (size_t c = 0; c < 3; c++)
+            yours.rgba[at + c] = yours.rgba[at + c] == DARK ? 110 : LIGHT - 12;
     expect(yours, "ambient term: the shadows are too bright", "");
 }
 
+// Changes of the whole picture, each of which has words of its own.
+static void test_whole_kinds(void **unused) {
+    (void)unused;
+    Image yours = picture();
+    square(&yours, 20, 20, 24, LIGHT);
+    square(&yours, SIZE - 44, 20, 24, DARK);
+    expect(yours, "mirrored", "left and right");
+    yours = picture();
+    for (size_t at = 0; at < image_bytes(&yours); at += 4)
+        for (size_t c = 0; c < 3; c++)
+            yours.rgba[at + c] = (uint8_t)(255 - yours.rgba[at + c]);
+    expect(yours, "inverted", "");
+    yours = picture();
+    for (size_t at = 0; at < image_bytes(&yours); at += 4)
+        for (size_t c = 0; c < 3; c++)
+            yours.rgba[at + c] /= 4;
+    expect(yours, "a factor", "too small");
+    yours = picture();
+    for (size_t at = 0; at < image_bytes(&yours); at += 4)
+        yours.rgba[at + 1] /= 2;
+    expect(yours, "one channel only: green", "");
+}
+
+// A fourth of each block of 4 x 4 pixels is dark, at places that `key` shuffles.
+static void sprinkle(Image *image, unsigned key) {
+    for (unsigned block = 0; block < SIZE / 4 * SIZE / 4; block++) {
+        const int left = (int)(block % (SIZE / 4)) * 4, top = (int)(block / (SIZE / 4)) * 4;
+        const unsigned first = (block * 2654435761u + key * 40503u) >> 20;
+        square(image, left, top, 4, LIGHT);
+        for (unsigned i = 0; i < 4; i++)
+            square(image, left + (int)((first + 5 * i) % 4), top + (int)((first / 4 + i) % 4), 1, DARK);
+    }
+}
+
+static void test_random_numbers(void **unused) {
+    (void)unused;
+    Image yours = picture(), reference = picture();
+    char text[300];
+    sprinkle(&reference, 1);
+    sprinkle(&yours, 2);
+    error_kind(text, sizeof text, &yours, &reference, ERROR_VIEW_SHADED);
+    if (!strstr(text, "random numbers"))
+        fail_msg("got \"%s\"", text);
+    image_destroy(&yours);
+    image_destroy(&reference);
+}
+
+// No word of shadows or ambient light where the view has none.
+static void test_words_fit_the_view(void **unused) {
+    (void)unused;
+    Image yours = picture(), reference = picture();
+    char text[300];
+    square(&yours, 70, 70, 20, DARK);
+    error_kind(text, sizeof text, &yours, &reference, ERROR_VIEW_VALUES);
+    assert_null(strstr(text, "shadow"));
+    assert_null(strstr(text, "0 % too bright"));
+    assert_non_null(strstr(text, "too dark"));
+    image_destroy(&yours);
+    image_destroy(&reference);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_whole_picture), cmocka_unit_test(test_shadow_and_light),
-        cmocka_unit_test(test_size),          cmocka_unit_test(test_offset),
-        cmocka_unit_test(test_edges),         cmocka_unit_test(test_ambient)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_whole_picture),
+                                       cmocka_unit_test(test_shadow_and_light),
+                                       cmocka_unit_test(test_size),
+                                       cmocka_unit_test(test_offset),
+                                       cmocka_unit_test(test_edges),
+                                       cmocka_unit_test(test_ambient),
+                                       cmocka_unit_test(test_whole_kinds),
+                                       cmocka_unit_test(test_random_numbers),
+                                       cmocka_unit_test(test_words_fit_the_view)};
     return cmocka_run_group_tests_name("error kind", tests, NULL, NULL);
 }

@@ -52,6 +52,9 @@ broken() {
 }
 broken "labs/ edited by hand" "FAILED: labs/ is what solutions/ make of it" "echo >>labs/03-shadow-map/shadow.frag"
 broken "a task without a hint" "FAILED: 03-shadow-map: task ids agree" "sed -i 's/\"3.4\": \\[/\"3.44\": [/' $three/hints.json"
+broken "a task with two hints" "FAILED: 03-shadow-map: task ids agree" "python3 -c 'import json; p = \"$three/hints.json\"; j = json.load(open(p)); del j[\"3.4\"][2]; json.dump(j, open(p, \"w\"))'"
+broken "a hint that holds a line of the solution" "3.4: glClear(GL_DEPTH_BUFFER_BIT)" "sed -i 's/clear the depth, and let/glClear( GL_DEPTH_BUFFER_BIT ), and let/' $three/hints.json"
+broken "a mistake's hint that holds what is returned" "step order: depth<position_map.z?0.0:1.0" "sed -i '0,/\"name\": \"[^\"]*\"/s//\"name\": \"step order\"/; 0,/\"hint\": \"/s//&depth < position_map.z ? 0.0 : 1.0/' $three/mistakes.json"
 broken "a task that the handout forgets" "FAILED: 03-shadow-map: task ids agree" "sed -i '/^| 3.5 /d' $three/README.md && build/skeletons labs"
 broken "points that do not sum to 100" "FAILED: 03-shadow-map: 100 points" "sed -i 's/\"points\": 10/\"points\": 11/' $three/rubric.json"
 broken "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds without warnings" "sed -i 's/    UNUSED(light);//' $three/lab.c && sed -i 's/^static void destroy/static int unused;\n&/' $three/lab.c && build/skeletons labs"
@@ -85,7 +88,7 @@ expect "reset of a skeleton" 0 "is the skeleton already"
 runs grader/scripts/reset 77
 expect "reset of no lab" 2 'there is no lab "77"; there are 01, 02'
 runs grader/scripts/hint 3.2
-expect "hint" 0 "Hint 1 of 2 for task 3.2"
+expect "hint" 0 "Hint 1 of 3 for task 3.2"
 runs grader/scripts/hint 3.77
 expect "hint of no task" 2 "has no task 3.77; it has 3.1, 3.2"
 runs grader/scripts/hint

@@ -37,7 +37,7 @@ type 'stty -a >before; build/watch --lab 04 --seed 1' Enter
 
 # Task by task: each save is noticed, the points rise, the next task is named with its place and a hint.
 sees "the skeleton is graded" "Task 4\.1  labs/04-acne-and-bias/[a-z.]+:[0-9]+"
-grep -q "Hint 1 of 2" <<<"$out" && ok || bad "the first hint stands there from the start" "$out"
+grep -q "Hint 1 of 3" <<<"$out" && ok || bad "the first hint stands there from the start" "$out"
 before=$(points)
 for task in 4.1 4.2 4.3 4.4; do
     build/skeletons "$work/upto" "$task" >/dev/null
@@ -53,7 +53,8 @@ sees "the next lab is graded" "Task 5\.1  labs/05"
 python3 -c 'import json,sys; l=json.load(open(sys.argv[1]))["labs"]; assert l["04"]["done"] and l["04"]["best"] == 100 and not l["05"]["done"]' "$SHADOW_LAB_PROGRESS" && ok || bad "the progress is kept" "$(cat "$SHADOW_LAB_PROGRESS")"
 
 # Keys.
-type h; sees "another hint" "Hint 2 of 2"
+type h; sees "another hint" "Hint 2 of 3"
+type h; sees "the last hint" "Hint 3 of 3"
 type h; sees "no more hints" "no more hints"
 type l; sees "the list" "04 Acne and bias .*100 of 100, done on 20"
 type Up Enter; sees "a lab that is done stays on the desk" "This lab is done\. n goes on"
