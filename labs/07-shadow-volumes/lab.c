@@ -61,10 +61,10 @@ static void draw_volumes(const Frame *frame) {
     frame_bind(frame);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0, 16);
-    // TODO(7.6): z-pass. Close the masks of colour and depth; draw back faces too; the stencil test always
-    // passes, and where the depth test does, front faces add one and back faces take one away, with
-    // wrapping. Look up: glColorMask, glDepthMask, glStencilFunc, glStencilOpSeparate. Until then the
-    // volumes are seen, as haze.
+    // TODO(7.6): z-pass. Close the masks of colour and depth; draw back faces too; enable GL_STENCIL_TEST,
+    // which always passes, and where the depth test does, front faces add one and back faces take one away,
+    // with wrapping. Look up: glColorMask, glDepthMask, glEnable, glStencilFunc, glStencilOpSeparate. Until
+    // then the volumes are seen, as haze.
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     if (z_fail) {

@@ -100,10 +100,10 @@ static void draw_volumes(const Frame *frame) {
     glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_DECR_WRAP);
 #else
-    // TODO(7.6): z-pass. Close the masks of colour and depth; draw back faces too; the stencil test always
-    // passes, and where the depth test does, front faces add one and back faces take one away, with
-    // wrapping. Look up: glColorMask, glDepthMask, glStencilFunc, glStencilOpSeparate. Until then the
-    // volumes are seen, as haze.
+    // TODO(7.6): z-pass. Close the masks of colour and depth; draw back faces too; enable GL_STENCIL_TEST,
+    // which always passes, and where the depth test does, front faces add one and back faces take one away,
+    // with wrapping. Look up: glColorMask, glDepthMask, glEnable, glStencilFunc, glStencilOpSeparate. Until
+    // then the volumes are seen, as haze.
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
 #endif
