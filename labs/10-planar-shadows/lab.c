@@ -11,7 +11,8 @@ static struct {
 
 static bool create(const Frame *frame) {
     GLenum format = GL_R8;
-    // TODO(10.10): 8 bits round each of the n * n small shares to 1/255. Take a format that keeps them.
+    // TODO(10.10): 8 bits round each of the n * n small shares to 1/255, and half floats round the sum. Take
+    // one channel of 32-bit floats.
     return target_create(&state.taken, frame->width, frame->height, format, GL_DEPTH24_STENCIL8) &&
            target_create(&state.projected, frame->width, frame->height, GL_RGBA8, 0);
 }
