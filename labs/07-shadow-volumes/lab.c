@@ -9,7 +9,7 @@ enum { PROGRAM_SPLIT, PROGRAM_VOLUME, PROGRAM_CPU_VOLUME, PROGRAM_TEXTURE, PROGR
 static struct {
     GLuint framebuffer; // task 7.1, with these three attached, as large as the frame
     GLuint ambient, diffuse_specular, depth_stencil;
-    FrameView view; // for the stages "stencil counts" and "last rows"
+    FrameView view; // for the stages "stencil counts", "last rows" and "haze"
 } state;
 
 static bool create_target(const Frame *frame) {
@@ -93,6 +93,8 @@ static void draw_light(const Frame *frame) {
 
 static void show_stages(const Frame *frame) {
     frame_view_draw(&state.view, frame, &frame->programs[PROGRAM_CONSTANT]);
+    frame_view_draw_haze(&state.view, frame, state.framebuffer, &frame->programs[PROGRAM_VOLUME],
+                         clip_from_world(frame));
 }
 
 const Lab lab = {
@@ -111,7 +113,8 @@ const Lab lab = {
     .stages = {{"ambient", &state.ambient},
                {"diffuse and specular", &state.diffuse_specular},
                {"stencil counts", &state.view.counts.color},
-               {"last rows", &state.view.rows.color}},
+               {"last rows", &state.view.rows.color},
+               {"haze", &state.view.haze.color}},
     .create = create,
     .destroy = destroy,
 };

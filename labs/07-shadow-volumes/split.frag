@@ -12,8 +12,8 @@ layout(location = 1) out vec4 o_diffuse_specular; // for the colour attachment 1
 void main() {
     vec3 ambient = phong_ambient();
     vec3 diffuse_specular = phong_diffuse_specular(0, v_position_world, v_normal_world);
-    // TODO(7.2): write each part of the light to its own output. Until then the first gets all of it: one
-    // picture, lit and without shadows.
-    o_ambient = vec4(ambient + diffuse_specular, 1.0);
+    // TODO(7.2): write each part of the light to its own output. Until then the second gets nothing: all lies
+    // in ambient light.
+    o_ambient = vec4(ambient, 1.0);
     o_diffuse_specular = vec4(0.0, 0.0, 0.0, 1.0);
 }

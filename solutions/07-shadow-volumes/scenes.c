@@ -136,6 +136,46 @@ static void make_short_sight(Scene *scene, Random *random) {
                 part_color(random));
 }
 
+// Open sheets under a steep camera: nothing casts a volume, and something is in the last rows of the picture.
+static void make_sheets(Scene *scene, Random *random) {
+    part_begin(scene, random);
+    part_floor(scene, 14, random);
+    scene->camera.eye =
+        part_orbit(vec3_make(0, 0.5f, 0), random_range(random, -35, 35), random_range(random, 45, 55), 9);
+    for (int i = 0; i < 5; i++) {
+        vec3s middle = vec3_make(-3.2f + 1.6f * (float)i, 0.7f, random_range(random, -3.5f, 0.5f));
+        Object *sheet = part_object(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1),
+                                    random_range(random, -60, 60), part_color(random));
+        sheet->world_from_object = glms_rotate(sheet->world_from_object, glm_rad(60), vec3_make(1, 0, 0));
+        sheet->world_from_object = glms_scale(sheet->world_from_object, vec3_make(0.6f, 1, 0.7f));
+    }
+    vec3s lamp = beside(scene, random, 5, 80, random_range(random, 40, 70));
+    part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
+}
+
+// Boxes near the eye, and their shadows on a wall that is farther away than any length that one would type.
+static void make_far_wall(Scene *scene, Random *random) {
+    part_begin(scene, random);
+    vec3s middle = vec3_make(0, 1, 0);
+    float azimuth = random_range(random, -35, 35), side = random_int(random, 0, 1) ? 1 : -1;
+    scene->camera.target = middle;
+    scene->camera.eye = part_orbit(middle, azimuth, random_range(random, 2, 6), 9);
+    scene->camera.far_plane = 130;
+    for (int i = -1; i <= 1; i++) {
+        vec3s center = part_orbit(middle, azimuth + 90, 0, 0.9f * (float)i);
+        center.y += random_range(random, -0.5f, 0.5f);
+        float r = random_range(random, 0.15f, 0.25f);
+        part_object(scene, SHAPE_BOX, center, vec3_make(r, 1.5f * r, r), random_range(random, 0, 90),
+                    part_color(random));
+    }
+    vec3s behind = part_orbit(middle, azimuth + 180, 0, random_range(random, 62, 70));
+    Object *wall = part_object(scene, SHAPE_PLANE, behind, vec3_make(1, 1, 1), azimuth, part_color(random));
+    wall->world_from_object = glms_scale(
+        glms_rotate(wall->world_from_object, glm_rad(90), vec3_make(1, 0, 0)), vec3_make(90, 1, 60));
+    float lamp = azimuth + side * random_range(random, 6, 9);
+    part_light(scene, LIGHT_SPOT, part_orbit(middle, lamp, random_range(random, 3, 8), 6), middle);
+}
+
 // Each box has a side in whose plane the lamp lies, so that its light only grazes it.
 static void make_grazing(Scene *scene, Random *random) {
     part_begin(scene, random);
@@ -143,17 +183,29 @@ static void make_grazing(Scene *scene, Random *random) {
     vec3s lamp = beside(scene, random, 40, 80, random_range(random, 35, 45));
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
     for (int i = 0; i < 10; i++) {
+        bool across = random_int(random, 0, 1) == 1; // any of a box's four upright sides
+        float side = random_int(random, 0, 1) ? 1 : -1;
         vec3s edge = vec3_make(-2.7f + 0.6f * (float)i, 0, random_range(random, -1.8f, 1.8f));
         vec3s along = glms_vec3_normalize(vec3_make(edge.x - lamp.x, 0, edge.z - lamp.z));
         vec3s half = vec3_make(random_range(random, 0.2f, 0.3f), random_range(random, 0.4f, 0.9f),
                                random_range(random, 0.2f, 0.3f));
-        vec3s center = glms_vec3_add(edge, vec3_make(along.z * half.x, half.y, -along.x * half.x));
-        part_object(scene, SHAPE_BOX, center, half, glm_deg(atan2f(along.x, along.z)), part_color(random));
+        float aside = side * (across ? half.z : half.x);
+        vec3s center = glms_vec3_add(edge, vec3_make(along.z * aside, half.y, -along.x * aside));
+        part_object(scene, SHAPE_BOX, center, half, glm_deg(atan2f(along.x, along.z)) + (across ? 90 : 0),
+                    part_color(random));
     }
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"volume spot", make_volume_spot}, {"volume sun", make_volume_sun}, {"nested", make_nested},
-    {"towers", make_towers},           {"eye inside", make_eye_inside}, {"into the sky", make_into_sky},
-    {"short sight", make_short_sight}, {"grazing", make_grazing},       {0},
+    {"volume spot", make_volume_spot},
+    {"volume sun", make_volume_sun},
+    {"nested", make_nested},
+    {"towers", make_towers},
+    {"eye inside", make_eye_inside},
+    {"into the sky", make_into_sky},
+    {"short sight", make_short_sight},
+    {"grazing", make_grazing},
+    {"open sheets", make_sheets},
+    {"far wall", make_far_wall},
+    {0},
 };

@@ -16,9 +16,9 @@ void main() {
     o_ambient = vec4(ambient, 1.0);
     o_diffuse_specular = vec4(diffuse_specular, 1.0);
 #else
-    // TODO(7.2): write each part of the light to its own output. Until then the first gets all of it: one
-    // picture, lit and without shadows.
-    o_ambient = vec4(ambient + diffuse_specular, 1.0);
+    // TODO(7.2): write each part of the light to its own output. Until then the second gets nothing: all lies
+    // in ambient light.
+    o_ambient = vec4(ambient, 1.0);
     o_diffuse_specular = vec4(0.0, 0.0, 0.0, 1.0);
 #endif
 }
