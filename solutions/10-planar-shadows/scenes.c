@@ -10,9 +10,10 @@ static vec3s place_light(Random *random, float lowest, float highest, float dist
     return overhead ? vec3_make(0, place.y, 0) : place;
 }
 
-// A lamp that shines to all sides.
+// A lamp that shines to all sides, or a spot light: both throw the same shadows.
 static Light *lamp_at(Scene *scene, vec3s position) {
-    return part_light(scene, LIGHT_POINT, position, vec3_make(0, 0.3f, 0));
+    LightKind kind = position.x > 0 ? LIGHT_SPOT : LIGHT_POINT;
+    return part_light(scene, kind, position, vec3_make(0, 0.3f, 0));
 }
 
 // A sun that shines from there to a place beside the origin: its direction is a difference.
@@ -133,6 +134,9 @@ static void make_table(Scene *scene, Random *random) {
     tilt(wall, 90, 0, 0.6f);
     wall->world_from_object.col[3].z = -2.6f;
     lamp.z = fabsf(lamp.z); // before the wall, so in front of the casters
+    part_object(scene, SHAPE_BOX, vec3_make(0, -0.6f, -0.3f), vec3_make(0.5f, 0.25f, 0.4f),
+                random_range(random, 0, 90),
+                part_color(random)); // under the table, hidden by it
     lamp_at(scene, lamp);
 }
 
