@@ -2,6 +2,8 @@
 // first error with the name and the place of its call, and say what a framebuffer lacks.
 #include "gl.h"
 
+#include "gl_blit.h"
+
 #include "scene/check.h"
 
 #include <dlfcn.h>
@@ -97,9 +99,17 @@ static void note_framebuffer(va_list arguments) {
     last_framebuffer = framebuffer ? framebuffer : last_framebuffer;
 }
 
+// Only the mask matters, the ninth argument.
+static bool mixes_depths(va_list arguments) {
+    for (int i = 0; i < 8; i++)
+        (void)va_arg(arguments, GLint);
+    return (va_arg(arguments, GLbitfield) & GL_DEPTH_BUFFER_BIT) && gl_blit_mixes_depths();
+}
+
 static void after_call(void *result, const char *name, GLADapiproc function, int count, ...) {
     (void)result;
     GLenum error = glad_glGetError();
+    bool mixed_depths = false;
     if (function == (GLADapiproc)glad_glBindFramebuffer) {
         va_list arguments;
         va_start(arguments, count);
@@ -108,6 +118,13 @@ static void after_call(void *result, const char *name, GLADapiproc function, int
     }
     if (error == GL_NO_ERROR && !refused && misses_framebuffer(name))
         error = GL_INVALID_FRAMEBUFFER_OPERATION;
+    if (error == GL_NO_ERROR && function == (GLADapiproc)glad_glBlitFramebuffer) {
+        va_list arguments;
+        va_start(arguments, count);
+        mixed_depths = mixes_depths(arguments);
+        va_end(arguments);
+        error = mixed_depths ? GL_INVALID_OPERATION : error;
+    }
     refused = refused || (error != GL_NO_ERROR && error != GL_INVALID_ENUM);
     if (error == GL_NO_ERROR || first_error[0])
         return;
@@ -117,6 +134,8 @@ static void after_call(void *result, const char *name, GLADapiproc function, int
     if (error == GL_INVALID_FRAMEBUFFER_OPERATION)
         check_append(first_error, sizeof first_error, " (the bound framebuffer is %s)",
                      framebuffer_status(status));
+    if (mixed_depths)
+        check_append(first_error, sizeof first_error, " (the two depth buffers have different formats)");
     void *frames[16];
     first_error_place = gl_caller(frames, backtrace(frames, 16));
 }

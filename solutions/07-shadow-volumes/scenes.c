@@ -136,6 +136,20 @@ static void make_short_sight(Scene *scene, Random *random) {
                 part_color(random));
 }
 
+// A fly close before the lamp: its faces are tiny, its shadow is not. A number above 0 that is small for a
+// box is large for it.
+static void make_fly(Scene *scene, Random *random) {
+    const float half = random_range(random, 0.003f, 0.004f), away = 6 * half;
+    part_begin(scene, random);
+    part_floor(scene, 6, random);
+    vec3s lamp = beside(scene, random, 20, 60, random_range(random, 60, 75));
+    lamp = glms_vec3_scale(lamp, random_range(random, 0.22f, 0.28f));
+    vec3s fly = glms_vec3_sub(lamp, glms_vec3_scale(glms_vec3_normalize(lamp), away));
+    part_object(scene, SHAPE_BOX, fly, vec3_make(half, half, half), random_range(random, 0, 90),
+                part_color(random));
+    part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
+}
+
 // Open sheets under a steep camera: nothing casts a volume, and something is in the last rows of the picture.
 static void make_sheets(Scene *scene, Random *random) {
     part_begin(scene, random);
@@ -207,5 +221,6 @@ const SceneMaker LAB_TABLE[] = {
     {"grazing", make_grazing},
     {"open sheets", make_sheets},
     {"far wall", make_far_wall},
+    {"fly", make_fly},
     {0},
 };
