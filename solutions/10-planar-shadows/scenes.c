@@ -44,7 +44,6 @@ static void float_casters(Scene *scene, Random *random, int count, float lowest,
 // The light behind the casters: what the camera sees of them is mostly dark, and so is a screen.
 static void make_own(Scene *scene, Random *random) {
     part_begin(scene, random);
-    part_floor(scene, 6, random);
     part_casters(scene, random);
     Object *screen =
         part_object(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(0.8f, 1, 0.8f), 0, part_color(random));

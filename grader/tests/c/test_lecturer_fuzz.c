@@ -141,7 +141,8 @@ static void mutate(char *to, const char *text, Random *random) {
 
 // The mutated file beside good ones; true when it is refused.
 static bool refused(const Original *original, int file, const char *text) {
-    const char *texts[RUBRIC_FILES] = {original->texts[RUBRIC_JSON], "[]", "[]", "{}"};
+    const char *texts[RUBRIC_FILES] = {original->texts[RUBRIC_JSON], "[]", original->texts[ALTERNATIVES_JSON],
+                                       "{}"};
     Rubric rubric;
     texts[file] = text;
     check_clear();
