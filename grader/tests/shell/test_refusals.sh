@@ -28,10 +28,10 @@ with $three/mistakes.json 'j[:] = [dict(j[0], name="harmless", edits=[dict(file=
 expect "a mistake that is none" 1 "harmless | 100 | 100 | WRONG: not below the pass mark" ", 1 failed"
 with $three/mistakes.json 'j[1]["edits"] = j[2]["edits"]; j[1]["task"] = j[2]["task"]; j[:] = j[1:3]' "${prove[@]}"
 expect "two mistakes with one picture" 1 "WRONG:"
-with $three/alternatives.json 'j[:] = [dict(name="wrong", edits=[dict(file="shadow.frag", find="? 0.0 : 1.0", replace="? 1.0 : 0.0")])]' "${prove[@]}"
+with $three/alternatives.json 'j[0] = dict(name="wrong", edits=[dict(file="shadow.frag", find="? 0.0 : 1.0", replace="? 1.0 : 0.0")])' "${prove[@]}"
 expect "an alternative that is wrong" 1 "alternative | wrong" "WRONG: comparison: spot light"
 with $three/mistakes.json 'j[0]["edits"][0]["find"] = "no such text"' "${prove[@]}"
-expect "an edit without its text" 3 'mistakes.json: [0] "' "edits[0]: find: the text to replace stands in lab.c nowhere" "no such text"
+expect "an edit without its text" 3 'mistakes.json: [0] "' "edits[0]: find: the text to replace stands in " " nowhere" "no such text"
 with $three/rubric.json 'j["checks"][0]["scene"] = "moon"' "${prove[@]}"
 expect "an unknown scene" 3 'rubric.json: checks[0] "depth map: spot light": scene: there is no scene "moon"; the scenes are'
 with $three/rubric.json 'j["checks"][0]["view"] = "moon"' "${prove[@]}"
