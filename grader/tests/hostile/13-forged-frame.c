@@ -10,14 +10,7 @@ static void send_all(const void *bytes, size_t size) {
 }
 
 static void attack(const Frame *frame) {
-    static struct {
-        unsigned magic;
-        int drawn;
-        unsigned long long place;
-        char pass[32];
-        float milliseconds[LAB_MAX_PASSES];
-        char message[5000], renderer[128];
-    } reply = {.magic = 0x32424c53, .drawn = 1, .place = 1};
+    static ForgedReply reply = {.magic = 0x32424c53, .drawn = 1, .place = 1};
     static unsigned char pixels[1 << 16];
     for (int i = 0; i < LAB_MAX_PASSES; i++)
         reply.milliseconds[i] = i == 0 ? NAN : i == 1 ? -1 : INFINITY;

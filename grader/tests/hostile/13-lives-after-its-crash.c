@@ -1,14 +1,7 @@
 // The record of a crash, and then pixels as if nothing had been: no frame comes after a crash.
 // must: lost it wrote something else than a frame to descriptor 3
 static void attack(const Frame *frame) {
-    static struct {
-        unsigned magic;
-        int drawn;
-        unsigned long long place;
-        char pass[32];
-        float milliseconds[LAB_MAX_PASSES];
-        char message[5000], renderer[128];
-    } reply = {.magic = 0x58424c53, .drawn = 1};
+    static ForgedReply reply = {.magic = 0x58424c53, .drawn = 1};
     static unsigned char pixels[1 << 16];
     const ssize_t size = (ssize_t)frame->width * frame->height * 4;
     memset(pixels, 255, sizeof pixels);

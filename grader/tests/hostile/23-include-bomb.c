@@ -1,5 +1,5 @@
 // A shader that is C as well and includes itself twice, 30 deep: 2^30 files.
-// must: uncompiled CPU time limit exceeded|takes too long to compile
+// must: uncompiled CPU time limit exceeded|takes too long to compile|Killed signal terminated program cc1
 // slow
 #include "attack.frag"
 

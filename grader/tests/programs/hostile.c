@@ -86,13 +86,13 @@ static bool write_lab(const AttackCase *one) {
     if (file) {
         fprintf(file,
                 "#define ROOT \"%s\"\n#define SECRET \"%s\"\n#define RESULT \"%s\"\n#define FOLDER \"%s\"\n"
-                "#define GRADER %ld\n#define OUTSIDE %d\n"
+                "#define GRADER %ld\n#define OUTSIDE %d\n#define REPLY_BYTES %zu\n"
                 "#define ROOT_SOLUTION \"%s/solutions/03-shadow-map/lab.c\"\n"
                 "#define ROOT_RELATIVE \"../../../../../../../..%s/solutions/03-shadow-map/lab.c\"\n"
                 "#define QUOTED_SOLUTION \"\\\"%s/solutions/03-shadow-map/lab.c\\\"\"\n"
                 "%s#line 1 \"%s.c\"\n%s%s",
                 suite.root, suite.secret, suite.result, suite.folder, (long)getpid(), suite.jail == NULL,
-                suite.root, suite.root, suite.root, head, one->name, one->text, tail);
+                sizeof(Reply), suite.root, suite.root, suite.root, head, one->name, one->text, tail);
         fclose(file);
     }
     free(head);
@@ -111,16 +111,18 @@ static bool write_shader(const AttackCase *one) {
     return ok;
 }
 
-static bool said(const AttackCase *one, const char *words, size_t length) {
-    char wanted[128];
-    snprintf(wanted, sizeof wanted, "%.*s", (int)length, words);
-    return strstr(one->log, wanted) || strstr(check_message(), wanted);
+// One of the texts, which stand between bars.
+static bool said_one_of(const AttackCase *one, const char *texts) {
+    char list[128], *rest = list;
+    snprintf(list, sizeof list, "%s", texts);
+    bool said = false;
+    for (const char *text; (text = strsep(&rest, "|"));)
+        said = said || strstr(one->log, text) || strstr(check_message(), text);
+    return said;
 }
 
 static void judge_compilation(const AttackCase *one, bool compiled) {
-    const char *words = one->must + strlen("uncompiled "), *bar = strchr(words, '|');
-    bool stopped =
-        !compiled && (said(one, words, strcspn(words, "|")) || (bar && said(one, bar + 1, strlen(bar + 1))));
+    bool stopped = !compiled && said_one_of(one, one->must + strlen("uncompiled "));
     if (suite.jail)
         verdict(one->name, stopped ? NULL : "it is not stopped where it should be", one->log);
     else if (one->outside)
