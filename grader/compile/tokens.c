@@ -21,9 +21,7 @@ static bool begins_comment(const char *at) {
 
 static const char *skip_blanks(const char *at) {
     for (;;) {
-        if (isspace((unsigned char)*at))
-            at++;
-        else if (at[0] == '\\' && (at[1] == '\n' || at[1] == '\r'))
+        if (isspace((unsigned char)*at) || (at[0] == '\\' && (at[1] == '\n' || at[1] == '\r')))
             at++;
         else if (begins_comment(at))
             at = skip_comment(at);

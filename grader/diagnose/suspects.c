@@ -63,7 +63,7 @@ static int own_task(const LabResult *result, const Rubric *rubric, const bool fa
 
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
                    const bool among[]) {
-    Evidence sorted[EXAM_MAX_TASKS], evidence;
+    Evidence sorted[EXAM_MAX_TASKS] = {0}, evidence;
     int wanted = 0;
     *suspects = (Suspects){0};
     for (int c = 0; c < result->check_count; c++)

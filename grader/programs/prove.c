@@ -2,8 +2,8 @@
 // solution, the skeleton, the lab solved up to each task, each catalogued mistake and each alternative,
 // grades them like a submission and prints a table (Markdown, for grader/proof/PROOFS.md). Exit status 3 when
 // something of ours cannot be drawn, else 1 when one of them is not graded as it should be: solution and
-// alternatives 100 %, skeleton 0 on every check, no task takes points away, mistakes below the pass mark and
-// named correctly. `N passed, N failed` counts rows.
+// alternatives 100 %, skeleton 0 on every check, no task takes away what those before it earned, mistakes
+// below the pass mark and named correctly. `N passed, N failed` counts rows.
 #include "scene/check.h"
 #include "compile/rubric_file.h"
 #include "proof/proof_row.h"

@@ -54,7 +54,7 @@ static bool judge(const LabResult *result, ProofRow *row, const Rubric *rubric) 
     case KIND_SKELETON:
         return all_zero(result, row);
     case KIND_PARTIAL:
-        return row->percent >= row->before->percent - 1e-9;
+        return row->earned >= row->before->earned - 1e-9;
     case KIND_MISTAKE:
         return named_right(result, row) && result->score < rubric->pass_mark / 100 * result->max_score &&
                result->status != LAB_PASSED;
@@ -131,6 +131,16 @@ static bool name_causes(LabResult *result, ProofRow *row, Exam *exam) {
             diagnose(result, exam, &row->contender, true));
 }
 
+// What the tasks up to the row's have earned, in percent: a check of a later task may be like ours by chance.
+static double earned(const LabResult *result, int number) {
+    double sum = 0;
+    for (int c = 0; c < result->check_count; c++) {
+        const char *dot = strchr(result->checks[c].check->task, '.');
+        sum += dot && atoi(dot + 1) <= number ? result->checks[c].share * result->checks[c].check->points : 0;
+    }
+    return 100 * sum / result->max_score;
+}
+
 bool proof_row_run(ProofRow *row, Exam *exam, Painters *painters) {
     static LabResult result;
     const Painter *painter = painters_get(painters, row->solved, row->change);
@@ -147,7 +157,8 @@ bool proof_row_run(ProofRow *row, Exam *exam, Painters *painters) {
     }
     memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
     bool ok = name_causes(&result, row, exam);
-    double percent = row->percent = 100 * result.score / result.max_score;
+    double percent = 100 * result.score / result.max_score;
+    row->earned = earned(&result, row->number);
     if (first || percent < row->lowest)
         row->lowest = percent;
     if (first || percent > row->highest)

@@ -19,7 +19,7 @@ typedef struct ProofRow {
     Solved solved;
     const Change *change;
     const struct ProofRow *before; // of a partial solution: the one with a task less
-    double percent;                // of the last run
+    double earned;                 // percent, of the last run, by the tasks up to its own
     double lowest, highest;        // percent
     int right, seeds;              // runs graded as they should be
     WorkerClient contender;        // a worker of its own, kept over the seeds
