@@ -1,7 +1,7 @@
 // What a driver may let pass in glBlitFramebuffer although OpenGL forbids it.
 #pragma once
 
-#include "gl.h"
+#include <glad/gl.h>
 
 #include <stdbool.h>
 

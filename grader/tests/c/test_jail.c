@@ -131,9 +131,13 @@ static void assert_nobody_left(pid_t group) {
     assert_int_equal(errno, ECHILD);
 }
 
-// For AddressSanitizer: /proc tells a process of itself, and of nothing else.
+// For AddressSanitizer: /proc tells a process of itself, and of nothing else. The jail of a grader that is
+// itself built with it shows all of /proc: that one grades nobody.
 static void test_sees_itself(void **route) {
     (void)route;
+#if defined(__SANITIZE_ADDRESS__)
+    skip();
+#endif
     NEEDS_ROUTE();
     static Process process;
     char script[400];
