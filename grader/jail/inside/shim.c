@@ -2,21 +2,17 @@
 //
 // Runs PROGRAM (looked for in PATH) with nothing but what is named: -r readable, -w writable, -c with
 // children. -l: fail where Landlock cannot hold.
-#include "jail/inside/shim.h"
+#include "jail/inside/shim_files.h"
+#include "jail/inside/shim_filter.h"
+#include "jail/inside/shim_limit.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 enum { FIRST_FOREIGN = 4 }; // 0 to 3 are the protocol's
-
-_Noreturn void shim_fail(const char *what) {
-    dprintf(STDERR_FILENO, "jail: %s: %s\n", what, strerror(errno));
-    _exit(125);
-}
 
 static void add_path(const char **paths, int *count, const char *path) {
     if (*count == SHIM_PATHS) {

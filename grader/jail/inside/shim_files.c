@@ -1,6 +1,6 @@
 // Landlock has no functions in the C library and its header differs between systems; so its system calls and
 // the few constants of the kernel's interface (Documentation/userspace-api/landlock.rst) stand here.
-#include "jail/inside/shim.h"
+#include "jail/inside/shim_files.h"
 
 #include <errno.h>
 #include <fcntl.h>

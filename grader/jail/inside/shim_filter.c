@@ -1,5 +1,5 @@
 // The list of allowed system calls, by libseccomp. Names that an architecture lacks are skipped.
-#include "jail/inside/shim.h"
+#include "jail/inside/shim_filter.h"
 
 #include <errno.h>
 #include <fcntl.h>

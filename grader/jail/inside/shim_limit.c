@@ -1,4 +1,4 @@
-#include "jail/inside/shim.h"
+#include "jail/inside/shim_limit.h"
 
 #include <sys/resource.h>
 
