@@ -18,6 +18,9 @@ static const struct {
 } excuses[] = {
     {"edge", 0,
      "the floor: the lens looks at the map around one of its points, and only the picture shows it"},
+    {"planar table", 6,
+     "the box under the table: the table hides it, and who flattens what lies under a receiver shows its "
+     "shadow"},
     {"short sight", 3,
      "the box before the near plane: the solution does not show it, and who has another near plane does"},
 };

@@ -89,9 +89,9 @@ static void make_between(Scene *scene, Random *random) {
     part_begin(scene, random);
     float lift = random_range(random, 0.3f, 0.6f) * (random_int(random, 0, 1) ? 1 : -1);
     tilt(part_floor(scene, 6, random), random_range(random, -10, 10), random_range(random, -10, 10), lift);
-    float_casters(scene, random, 3, lift - 0.2f, lift + 1.2f);
+    float_casters(scene, random, 2, lift - 0.2f, lift + 1.2f);
     vec3s lamp = place_light(random, 45, 75, random_range(random, 3.2f, 4));
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 3; i++) {
         float r = random_range(random, 0.35f, 0.5f);
         vec3s seen = vec3_make(1.2f * (float)i - 1.8f, lift, random_range(random, 0.9f, 1.9f));
         float far = i % 2 ? random_range(random, -0.5f, -0.35f) : random_range(random, 1.25f, 1.4f);
