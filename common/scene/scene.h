@@ -41,12 +41,6 @@ typedef struct Camera {
     float near_plane, far_plane;
 } Camera;
 
-// What the light crosses, the same everywhere: of the light that travels dt, scattering * dt is sent into all
-// directions alike and extinction * dt is lost. Per world unit; both 0: clear air.
-typedef struct Medium {
-    float scattering, extinction;
-} Medium;
-
 typedef struct Scene {
     Object objects[SCENE_MAX_OBJECTS];
     Light lights[SCENE_MAX_LIGHTS];
@@ -54,7 +48,6 @@ typedef struct Scene {
     Camera second_camera; // what the screen shows (lab 02)
     vec3s ambient;        // colour of the ambient light
     vec3s background;
-    Medium medium;
     int32_t object_count, light_count;
 } Scene;
 

@@ -1,6 +1,7 @@
 // Walks over a file's tokens with a count of braces and notes where each definition at the top begins and
 // ends; compares definitions by their tokens.
 #include "compile/functions.h"
+#include "scene/count.h"
 
 #include "compile/tokens.h"
 
@@ -37,7 +38,7 @@ static bool is_no_name(const Token *word) {
     static const char *const words[] = {
         "__attribute__", "__declspec", "layout", "subroutine", "_Alignas", "alignas", "__asm__",    "asm",
         "void",          "int",        "float",  "char",       "unsigned", "const",   "__typeof__", "typeof"};
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+    for (size_t i = 0; i < COUNT(words); i++)
         if (token_is(word, words[i]))
             return true;
     return word->kind != TOKEN_WORD;

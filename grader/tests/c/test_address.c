@@ -1,6 +1,7 @@
 // What AddressSanitizer prints becomes one sentence, by the words of several versions of gcc; and what only
 // looks like a report becomes nothing.
 #include "grade/address_report.h"
+#include "scene/count.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -43,7 +44,7 @@ static void test_heap(void **unused) {
         {"0x62 is located 4 bytes inside of 64-byte region [0x1,0x2)\n",
          " of an array of 64 bytes, made at offsets.h:9"},
     };
-    for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (unsigned i = 0; i < COUNT(cases); i++) {
         char printed[2000], expected[400];
         snprintf(printed, sizeof printed,
                  HEAD "heap-buffer-overflow on address 0x62\nWRITE of size 4 at 0x62 thread T0\n" STACK

@@ -1,6 +1,7 @@
 // What a lecturer writes: each fault ends in one message with file, entry and remedy.
 #include "compile/rubric_file.h"
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -169,7 +170,7 @@ static const Refusal refusals[] = {
 static void test_refusals(void **unused) {
     Rubric rubric;
     (void)unused;
-    for (unsigned i = 0; i < sizeof refusals / sizeof refusals[0]; i++) {
+    for (unsigned i = 0; i < COUNT(refusals); i++) {
         const Refusal *refusal = &refusals[i];
         if (read_with(&rubric, refusal->file, refusal->text))
             fail_msg("taken: %s", refusal->text);

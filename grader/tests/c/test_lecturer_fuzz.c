@@ -6,6 +6,7 @@
 #include "compile/rubric_file.h"
 #include "compile/rubric_fit.h"
 #include "scene/check.h"
+#include "scene/count.h"
 #include "scene/random.h"
 
 #include <setjmp.h>
@@ -135,7 +136,7 @@ static void mutate(char *to, const char *text, Random *random) {
         return;
     }
     default: // is of another type or size
-        splice(to, text, at, end, strange[below(random, sizeof strange / sizeof strange[0])]);
+        splice(to, text, at, end, strange[below(random, COUNT(strange))]);
     }
 }
 

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "compile/task_blocks.h"
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -180,7 +181,7 @@ static void test_equal_refused(void **unused) {
          "[0]: changes[0]: to: \"c\" does not fit"},
         {"[", "equal.json:1"}};
     EqualList equal;
-    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+    for (size_t i = 0; i < COUNT(wrong); i++) {
         assert_false(load_equal(&equal, wrong[i][0]));
         print_message("%s\n", check_message());
         assert_non_null(strstr(check_message(), wrong[i][1]));

@@ -4,6 +4,7 @@
 #include "exam/worker_client.h"
 #include "base/places.h"
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <setjmp.h>
 #include <signal.h>
@@ -46,7 +47,7 @@ static void check_state(int state, const char *view, const Image *right) {
         int fresh;
     } frames[] = {{true, 1}, {true, 0}, {false, 0}, {true, 0}, {false, 1}};
     Image image = {0};
-    for (unsigned i = 0; i < sizeof frames / sizeof frames[0]; i++) {
+    for (unsigned i = 0; i < COUNT(frames); i++) {
         draw(frames[i].left ? state : -1, view, frames[i].fresh, &image);
         if (memcmp(image.rgba, right->rgba, image_bytes(&image)) != 0)
             fail_msg("state %d, %s: frame %u has another picture", state, view, i);
@@ -74,7 +75,7 @@ static void check_context(ContextKind kind) {
     assert_true(scene_make(&request.scene, "table spot", &random));
     const int count = count_states();
     assert_true(count >= 60);
-    for (unsigned v = 0; v < sizeof views / sizeof views[0]; v++) {
+    for (unsigned v = 0; v < COUNT(views); v++) {
         Image right = {0};
         draw(-1, views[v], 1, &right);
         assert_false(is_plain(&right));
