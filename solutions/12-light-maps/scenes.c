@@ -136,17 +136,19 @@ static void make_near(Scene *scene, Random *random) {
     brighten(light, glms_vec3_norm(light->position), random_range(random, 3, 4));
 }
 
-// A large floor that one sees at a low angle: its luxels are smaller than pixels.
+// A large floor from afar, at a low angle: a pixel covers many luxels.
 static void make_far(Scene *scene, Random *random) {
     part_begin(scene, random);
     vec3s target = vec3_make(0, 0, 0);
     scene->camera.target = target;
-    scene->camera.eye = part_orbit(target, random_range(random, -35, 35), random_range(random, 15, 25),
-                                   random_range(random, 14, 18));
+    scene->camera.eye = part_orbit(target, random_range(random, -35, 35), random_range(random, 10, 15),
+                                   random_range(random, 50, 60));
+    scene->camera.far_plane = 100;
     scene->second_camera = scene->camera;
-    part_floor(scene, random_range(random, 4.5f, 5.5f), random);
-    add_boxes(scene, random, 1, 0.5f, 0.9f);
-    light_above(scene, random, any_kind(random), true, random_range(random, 7, 9));
+    part_floor(scene, random_range(random, 11, 13), random);
+    part_object(scene, SHAPE_BOX, vec3_make(random_range(random, -3, 3), 2, random_range(random, -3, 3)),
+                vec3_make(3, 2, 2.5f), random_range(random, 0, 90), part_color(random));
+    light_above(scene, random, any_kind(random), true, random_range(random, 9, 12));
 }
 
 const SceneMaker LAB_TABLE[] = {
