@@ -54,13 +54,11 @@ static void add_boxes(Scene *scene, Random *random, int count, float lowest, flo
     }
 }
 
-static void add_balls(Scene *scene, Random *random, int count) {
-    for (int i = 0; i < count; i++) {
-        float r = random_range(random, 0.3f, 0.45f),
-              x = 2.6f * ((float)i + 0.5f) / (float)count - 1.3f + random_range(random, -0.2f, 0.2f);
-        vec3s center = vec3_make(x, random_range(random, 0.6f, 1.3f), random_range(random, -0.2f, 1));
-        part_object(scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0, part_color(random));
-    }
+static void add_ball(Scene *scene, Random *random, float x) {
+    float r = random_range(random, 0.3f, 0.45f);
+    vec3s center = vec3_make(x + random_range(random, -0.3f, 0.3f), random_range(random, 0.6f, 1.3f),
+                             random_range(random, 0.1f, 1));
+    part_object(scene, SHAPE_SPHERE, center, vec3_make(r, r, r), 0, part_color(random));
 }
 
 // Floor and tilted boxes, the light on the camera's side: all that one sees is lit.
@@ -119,10 +117,10 @@ static void make_mapped(Scene *scene, Random *random) {
 // Balls and boxes. A ball comes first, so that the faces' numbers do not begin with a chart.
 static void make_balls(Scene *scene, Random *random) {
     part_begin(scene, random);
-    add_balls(scene, random, random_int(random, 1, 2));
+    add_ball(scene, random, random_int(random, 0, 1) ? -1.1f : -0.6f);
     part_floor(scene, random_range(random, 1.8f, 2.4f), random);
     add_boxes(scene, random, 2, 0.3f, 0.6f);
-    add_balls(scene, random, 1);
+    add_ball(scene, random, 0.8f);
     LightKind kind = random_int(random, 0, 1) ? LIGHT_SPOT : LIGHT_DIRECTIONAL;
     light_above(scene, random, kind, random_int(random, 0, 1), random_range(random, 6, 9));
 }
