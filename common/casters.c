@@ -14,6 +14,7 @@ typedef struct CasterModel {
 static CasterModel casters[SHAPE_COUNT];
 static Volume volume; // its memory serves all frames
 static GLuint volume_array, volume_buffer;
+static bool were_clamped;
 
 static bool create(CasterModel *caster, Shape shape) {
     if (!mesh_create(&caster->mesh, shape) || !adjacency_create(&caster->adjacency, &caster->mesh))
@@ -47,7 +48,12 @@ void casters_destroy(void) {
     volume_array = volume_buffer = 0;
 }
 
+bool casters_were_clamped(void) {
+    return were_clamped;
+}
+
 void casters_draw(const Frame *frame, const Program *program) {
+    were_clamped = glIsEnabled(GL_DEPTH_CLAMP);
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
         const Model *caster = &casters[object->shape].model;
@@ -72,6 +78,7 @@ static void draw_volume(void) {
 }
 
 void casters_draw_volumes(const Frame *frame) {
+    were_clamped = glIsEnabled(GL_DEPTH_CLAMP);
     volume.count = 0;
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];

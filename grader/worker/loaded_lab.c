@@ -150,6 +150,12 @@ static float cpu_milliseconds(void) {
     return (float)((double)(now.tv_sec % 100000) * 1e3 + (double)now.tv_nsec / 1e6);
 }
 
+// Is the picture looked at, in one of the views that need no stage of the lab?
+static bool is_picture(const char *view) {
+    return strcmp(view, VIEW_PICTURE) == 0 || strcmp(view, VIEW_VISIBILITY) == 0 ||
+           strcmp(view, VIEW_PRIMITIVES) == 0;
+}
+
 static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) {
     gl_reset();
     frame_bind(frame);
@@ -159,6 +165,8 @@ static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) 
     glClearColor(background.x, background.y, background.z, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++) {
+        if (lab->passes[i].kind == PASS_SHOW && is_picture(frame->view))
+            continue;
         float start = cpu_milliseconds();
         set_running(lab->passes[i].name);
         lab->passes[i].draw(frame);
@@ -225,7 +233,8 @@ bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *re
                    .knobs = hosted->knobs,
                    .width = request->width,
                    .height = request->height,
-                   .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0};
+                   .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0,
+                   .view = request->view};
     if (!ensure_created(hosted, request, &frame))
         return false;
     run_passes(hosted->lab, &frame, reply->milliseconds);
