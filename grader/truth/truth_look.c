@@ -1,4 +1,5 @@
 // Primary rays.
+#include "scene/check.h"
 #include "truth/tile.h"
 #include "truth/truth.h"
 
@@ -9,24 +10,42 @@
 typedef struct PrimaryRays {
     const Truth *truth;
     TruthPicture *picture;
+    const TruthPlace *place; // NULL: the middle
     vec3s right, up, forward;
 } PrimaryRays;
 
-static PrimaryRays make_rays(const Truth *truth, TruthPicture *picture) {
+static PrimaryRays make_rays(const Truth *truth, TruthPicture *picture, const TruthPlace *place) {
     const Camera *camera = &truth->scene.camera;
     mat4s view = camera_view_from_world(camera);
     mat4s clip = camera_clip_from_view(camera, (float)picture->width / (float)picture->height);
     vec3s right = vec3_make(view.m00, view.m10, view.m20), up = vec3_make(view.m01, view.m11, view.m21);
     return (PrimaryRays){.truth = truth,
                          .picture = picture,
+                         .place = place,
                          .right = glms_vec3_divs(right, clip.m00),
                          .up = glms_vec3_divs(up, clip.m11),
                          .forward = vec3_make(-view.m02, -view.m12, -view.m22)};
 }
 
+// Where in the pixel, 0..1.
+static vec2s place_in(const TruthPlace *place, uint64_t pixel) {
+    if (!place)
+        return (vec2s){{0.5f, 0.5f}};
+    int strata = place->across * place->across;
+    Random order = {place->seed + pixel * 0xd1342543de82ef95u};
+    int stratum = place->part ^ (int)(random_next(&order) % (uint64_t)strata);
+    Random random = {random_next(&order) + (uint64_t)place->part * 0x9fb21c651e98df25u};
+    random.state = random_next(&random); // neighbouring seeds share most of their sequence
+    float x = (float)(stratum % place->across) + random_range(&random, 0, 1);
+    float y = (float)(stratum / place->across) + random_range(&random, 0, 1);
+    return glms_vec2_divs((vec2s){{x, y}}, (float)place->across);
+}
+
 static vec3s direction_of(const PrimaryRays *primary, int column, int row) {
-    float x = ((float)column + 0.5f) / (float)primary->picture->width * 2 - 1;
-    float y = 1 - ((float)row + 0.5f) / (float)primary->picture->height * 2;
+    uint64_t pixel = (uint64_t)row * (uint64_t)primary->picture->width + (uint64_t)column;
+    vec2s within = place_in(primary->place, pixel);
+    float x = ((float)column + within.x) / (float)primary->picture->width * 2 - 1;
+    float y = 1 - ((float)row + within.y) / (float)primary->picture->height * 2;
     return glms_vec3_add(primary->forward,
                          glms_vec3_add(glms_vec3_scale(primary->right, x), glms_vec3_scale(primary->up, y)));
 }
@@ -82,7 +101,18 @@ static void look_tile(const Tile *tile, void *context) {
                                rays.hit.v[i]);
 }
 
-void truth_look(const Truth *truth, TruthPicture *picture) {
-    PrimaryRays primary = make_rays(truth, picture);
+static void look(const Truth *truth, TruthPicture *picture, const TruthPlace *place) {
+    PrimaryRays primary = make_rays(truth, picture, place);
     tile_each(picture->width, picture->height, look_tile, &primary);
+}
+
+void truth_look(const Truth *truth, TruthPicture *picture) {
+    look(truth, picture, NULL);
+}
+
+void truth_look_within(const Truth *truth, TruthPicture *picture, const TruthPlace *place) {
+    INVARIANT(place->across >= 1 && place->across <= TRUTH_MAX_ACROSS &&
+              !(place->across & (place->across - 1)));
+    INVARIANT(place->part >= 0 && place->part < place->across * place->across);
+    look(truth, picture, place);
 }
