@@ -1,0 +1,16 @@
+// The rays through the pixels of a picture.
+#pragma once
+
+#include "scene/scene.h"
+
+// The direction through a point of the picture is forward + x * right + y * up, x and y in -1..1: one unit of
+// depth long, so that a ray's length is the depth that GL clips at.
+typedef struct PrimaryRays {
+    int width, height;
+    vec3s right, up, forward;
+} PrimaryRays;
+
+PrimaryRays primary_rays(const Camera *camera, int width, int height);
+
+// Through the middle of a pixel; row 0 is the top row.
+vec3s primary_direction(const PrimaryRays *primary, int column, int row);
