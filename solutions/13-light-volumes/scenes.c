@@ -158,26 +158,51 @@ static void make_apart(Scene *scene, Random *random) {
         ->color = warm();
 }
 
-// Casters one behind the other, as the light sees them.
+// Two pairs of casters, each pair in a line with the light, one pair behind the other for the camera: shadows
+// lie in each other, and a ray may cross two that do not meet.
 static void make_overlap(Scene *scene, Random *random) {
     begin(scene, random);
     Light *light = light_from(scene, random, 40, 65);
     vec3s aim = light->kind == LIGHT_DIRECTIONAL ? light->target : vec3_make(0, 0.3f, 0);
     vec3s toward = glms_vec3_normalize(glms_vec3_sub(light->position, aim));
     for (int i = 0; i < 4; i++) {
-        float r = random_range(random, 0.4f, 0.6f);
-        vec3s center = glms_vec3_add(aim, glms_vec3_scale(toward, 0.9f + 0.9f * (float)i));
-        center.x += random_range(random, -0.5f, 0.5f);
-        center.z += random_range(random, -0.3f, 0.3f);
+        float r = random_range(random, 0.4f, 0.6f), back = (float)(i / 2);
+        vec3s center = glms_vec3_add(aim, glms_vec3_scale(toward, 1 + (float)(i % 2) + 0.8f * back));
+        center.x += random_range(random, -0.4f, 0.4f);
+        center.z += random_range(random, 0.8f, 1.2f) - 2.4f * back;
         part_object(scene, i % 2 ? SHAPE_SPHERE : SHAPE_BOX, center, vec3_make(r, 0.3f, r),
                     random_range(random, 0, 90), part_color(random));
     }
 }
 
+// A gate of posts with the sun low behind it.
+static void make_gate(Scene *scene, Random *random) {
+    begin(scene, random);
+    scene->camera.eye = vec3_make(random_range(random, -1, 1), random_range(random, 0.8f, 1.4f), 7);
+    scene->camera.target = vec3_make(0, 1.3f, 0);
+    scene->objects[0].color = vec3_make(0.25f, 0.24f, 0.22f);
+    for (int i = 0; i < 7; i++) {
+        float x = 1.1f * (float)i - 3.3f + random_range(random, -0.15f, 0.15f);
+        part_object(scene, SHAPE_BOX, vec3_make(x, random_range(random, 1, 1.6f), -1),
+                    vec3_make(random_range(random, 0.2f, 0.35f), 1.6f, 0.25f), 0,
+                    vec3_make(0.3f, 0.28f, 0.25f));
+    }
+    Light *light = part_light(scene, LIGHT_DIRECTIONAL,
+                              vec3_make(random_range(random, -3, 3), random_range(random, 4, 5), -8),
+                              vec3_make(0, 0, 0));
+    light->color = vec3_make(3.2f, 2.7f, 2);
+}
+
 const SceneMaker LAB_TABLE[] = {
-    {"dust bare", make_bare},       {"dust thin", make_thin},
-    {"dust casters", make_casters}, {"dust beyond", make_beyond},
-    {"dust one", make_one},         {"dust inside", make_inside},
-    {"dust cut", make_cut},         {"dust apart", make_apart},
-    {"dust overlap", make_overlap}, {0},
+    {"dust bare", make_bare},
+    {"dust thin", make_thin},
+    {"dust casters", make_casters},
+    {"dust beyond", make_beyond},
+    {"dust one", make_one},
+    {"dust inside", make_inside},
+    {"dust cut", make_cut},
+    {"dust apart", make_apart},
+    {"dust overlap", make_overlap},
+    {"dust gate", make_gate},
+    {0},
 };
