@@ -52,10 +52,8 @@ static TruthKind kind_of(const Request *request) {
 }
 
 static bool draw(Job *job, const Request *request, uint8_t *pixels) {
-    TruthQuery query = {.kind = kind_of(request),
-                        .samples = SKY_RAYS,
-                        .limit = ray_length(request),
-                        .seed = 1};
+    TruthQuery query = {
+        .kind = kind_of(request), .samples = SKY_RAYS, .limit = ray_length(request), .seed = 1};
     job->visibility = calloc((size_t)request->width * (size_t)request->height, sizeof *job->visibility);
     if (!job->visibility)
         return check_fail("out of memory for the truth");

@@ -10,6 +10,7 @@ typedef struct PrimaryRays {
     vec3s right, up, forward;
 } PrimaryRays;
 
+// For a picture of this size.
 PrimaryRays primary_rays(const Camera *camera, int width, int height);
 
 // Through the middle of a pixel; row 0 is the top row.

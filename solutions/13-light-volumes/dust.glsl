@@ -16,8 +16,8 @@ vec3 seen_at(vec2 uv) {
     vec4 position_world = u_world_from_clip * position_clip;
     return position_world.xyz / position_world.w;
 #else
-    // TODO(13.1): uv and the depth that lies there are in [0, 1], clip space (w = 1) in [-1, 1]. Take that point
-    // back to the world, and divide. Until then all is seen at the eye.
+    // TODO(13.1): uv and the depth that lies there are in [0, 1], clip space (w = 1) in [-1, 1]. Take that
+    // point back to the world, and divide. Until then all is seen at the eye.
     return u_eye_world;
 #endif
 }
@@ -38,7 +38,8 @@ float gathered(float way) {
     float depth = u_extinction * way;
     return depth < 1e-3 ? way * (1.0 - 0.5 * depth) : (1.0 - exp(-depth)) / u_extinction;
 #else
-    // TODO(13.7): the integral of transmittance. Where the extinction is 0, or nearly, that is the way itself.
+    // TODO(13.7): the integral of transmittance. Where the extinction is 0, or nearly, that is the way
+    // itself.
     return 0.0;
 #endif
 }

@@ -1,9 +1,8 @@
 // Lab 13: light volumes. Sum the light that dust sends to the eye: step by step by a shadow map, and exactly
-// by the faces of the shadow volumes.
+// by the faces of the shadow volumes. All passes but pass 3 are given.
+#include "air.h"
 #include "lab.h"
 #include "layers.h"
-#include "shadow_map.h"
-#include "target.h"
 
 enum { KNOB_DUST, KNOB_STEPS, KNOB_JITTER, KNOB_MAP_SIZE };
 enum { DUST_NONE, DUST_MARCH, DUST_FACES };
@@ -36,22 +35,14 @@ static void destroy(void) {
     casters_destroy();
 }
 
-// Pass 1, given.
+// Pass 1.
 static void draw_map(const Frame *frame) {
-    const Light *light = &frame->scene->lights[0];
-    shadow_map_begin(&state.map);
-    draw_scene(frame, &frame->programs[PROGRAM_MAP], shadow_map_clip_from_world(light), light->position);
+    air_draw_map(frame, &frame->programs[PROGRAM_MAP], &state.map);
 }
 
-// Pass 2, given: the surfaces as they are without dust.
+// Pass 2: the surfaces as they are without dust.
 static void draw_surfaces(const Frame *frame) {
-    const Program *program = &frame->programs[PROGRAM_SHADE];
-    vec3s sky = frame->scene->background;
-    target_bind(&state.surfaces);
-    glClearColor(sky.x, sky.y, sky.z, 1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    set_map(frame, program, state.map.texture);
-    draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
+    air_draw_surfaces(frame, &frame->programs[PROGRAM_SHADE], &state.surfaces, &state.map);
 }
 
 // Pass 3: the faces of each shadow volume into a layer of its own. The layers have no depth buffer: a face
@@ -77,53 +68,40 @@ static void draw_faces(const Frame *frame) {
     glEnable(GL_CULL_FACE);
 }
 
-// Pass 4, given: the dust by one of the two ways, or none.
+// Pass 4: the dust by one of the two ways, or none.
 static void draw_dust(const Frame *frame) {
     bool faces = (int)frame->knobs[KNOB_DUST] == DUST_FACES;
     const Program *program = &frame->programs[faces ? PROGRAM_MERGE : PROGRAM_MARCH];
-    target_bind(&state.dust);
-    glDisable(GL_DEPTH_TEST);
-    glClearColor(0, 0, 0, 0);
-    glClear(GL_COLOR_BUFFER_BIT);
+    air_begin_dust(&state.dust);
     if ((int)frame->knobs[KNOB_DUST] == DUST_NONE)
         return;
     set_air(frame, program, state.surfaces.depth);
     if (faces) {
         layers_bind(&state.layers, program);
     } else {
-        set_map(frame, program, state.map.texture);
+        set_map(frame, program, &state.map);
         program_set_int(program, "u_steps", (int)frame->knobs[KNOB_STEPS]);
         program_set_float(program, "u_jitter", frame->knobs[KNOB_JITTER]);
     }
     draw_over_all(frame, program);
 }
 
-// Pass 5, given.
+// Pass 5.
 static void draw_picture(const Frame *frame) {
-    const Program *program = &frame->programs[PROGRAM_PICTURE];
     frame_bind(frame);
-    glDisable(GL_DEPTH_TEST);
-    set_air(frame, program, state.surfaces.depth);
-    program_set_int(program, "u_shows_distance", false);
-    program_set_texture(program, "u_surfaces", 1, GL_TEXTURE_2D, state.surfaces.color);
-    program_set_texture(program, "u_dust", 2, GL_TEXTURE_2D, state.dust.color);
-    draw_over_all(frame, program);
+    air_draw_picture(frame, &frame->programs[PROGRAM_PICTURE], &state.surfaces, &state.dust);
 }
 
-// Given: the stages "distance" (20 units are white) and "interval", the first caster's layer.
+// The stages "distance" and "interval", the first caster's layer.
 static void show(const Frame *frame) {
-    const Program *program = &frame->programs[PROGRAM_PICTURE];
-    target_bind(&state.distance);
-    glDisable(GL_DEPTH_TEST);
-    program_set_int(program, "u_shows_distance", true);
-    draw_over_all(frame, program);
+    air_show_distance(frame, &frame->programs[PROGRAM_PICTURE], &state.surfaces, &state.distance);
     layers_show(&state.layers, &state.interval);
 }
 
 const Lab lab = {
     .title = "Light volumes",
     .programs = {[PROGRAM_MAP] = {"scene.vert", "empty.frag", NULL},
-                 [PROGRAM_SHADE] = {"scene.vert", "shade.frag", NULL},
+                 [PROGRAM_SHADE] = {"scene.vert", "shadowed.frag", NULL},
                  [PROGRAM_FACE] = {"volume.vert", "face.frag", NULL},
                  [PROGRAM_MARCH] = {"fullscreen.vert", "march.frag", NULL},
                  [PROGRAM_MERGE] = {"fullscreen.vert", "merge.frag", NULL},

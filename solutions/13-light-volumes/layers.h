@@ -1,9 +1,8 @@
-// Given: a texture with a layer for each caster, and what the programs of this lab are told.
+// Given: a texture with a layer for each caster.
 #pragma once
 
 #include "casters.h"
 #include "lab.h"
-#include "shadow_map.h"
 #include "target.h"
 
 enum { LAYERS = 8 }; // closed objects that a scene may have here
@@ -70,35 +69,4 @@ static void layers_show(const Layers *layers, const Target *picture) {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, picture->framebuffer);
     glBlitFramebuffer(0, 0, layers->width, layers->height, 0, 0, layers->width, layers->height,
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
-}
-
-// A target of one float a pixel, which is seen as grey.
-static bool grey_create(Target *target, int width, int height) {
-    const GLint grey[] = {GL_RED, GL_RED, GL_RED, GL_ONE};
-    if (!target_create(target, width, height, GL_R32F, 0))
-        return false;
-    glBindTexture(GL_TEXTURE_2D, target->color);
-    glTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_SWIZZLE_RGBA, grey);
-    return true;
-}
-
-// What dust.glsl asks for.
-static void set_air(const Frame *frame, const Program *program, GLuint depth) {
-    program_set_float(program, "u_scattering", frame->scene->medium.scattering);
-    program_set_float(program, "u_extinction", frame->scene->medium.extinction);
-    program_set_mat4(program, "u_world_from_clip", glms_mat4_inv(frame_clip_from_world(frame)));
-    program_set_texture(program, "u_depth", 0, GL_TEXTURE_2D, depth);
-}
-
-// The shadow map of light 0.
-static void set_map(const Frame *frame, const Program *program, GLuint map) {
-    program_set_mat4(program, "u_light_clip_from_world",
-                     shadow_map_clip_from_world(&frame->scene->lights[0]));
-    program_set_texture(program, "u_shadow_map", 1, GL_TEXTURE_2D, map);
-}
-
-// One triangle over the whole picture; the program is told the eye and the lights.
-static void draw_over_all(const Frame *frame, const Program *program) {
-    draw_begin(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
-    draw_fullscreen(program);
 }

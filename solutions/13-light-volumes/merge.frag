@@ -40,9 +40,9 @@ float dark(float from, float to) {
         from = max(from, next.y);
     }
 #else
-    // TODO(13.10): where two shadows overlap it is dark once. Of the shadows that end after `from` take the one
-    // that begins first; count its part after `from`; let `from` be its end. As often as there are casters.
-    // Until then each shadow counts for itself.
+    // TODO(13.10): where two shadows overlap it is dark once. Of the shadows that end after `from` take the
+    // one that begins first; count its part after `from`; let `from` be its end. As often as there are
+    // casters. Until then each shadow counts for itself.
     for (int caster = 0; caster < u_count; caster++)
         sum += part(interval(caster), from, to);
 #endif

@@ -11,8 +11,8 @@ uniform bool u_shows_distance; // for the stage "distance": white is 20 units
 
 out vec4 o_color;
 
-// A white surface that looks to the light sends the light's colour to all sides before it. The same light on a
-// grain goes to all sides alike: a quarter of that arrives (pi / (4 pi)).
+// A white surface that looks to the light sends the light's colour to all sides before it. The same light on
+// a grain goes to all sides alike: a quarter of that arrives (pi / (4 pi)).
 const float PHASE = 0.25;
 
 void main() {

@@ -1,5 +1,6 @@
 #version 410 core
-// Given: a surface in clear air, with its shadow from the map. The point is lifted a little off its surface.
+// A lit surface with its shadow from the map of light 0. The point that is asked is lifted a little off its
+// surface.
 
 #include "lighting.glsl"
 #include "shadow_map.glsl"
