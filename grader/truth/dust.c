@@ -199,14 +199,15 @@ static void trace_row(int row, void *context) {
     for (int column = 0; column < dust->picture->width; column++) {
         size_t pixel = (size_t)row * (size_t)dust->picture->width + (size_t)column;
         const TruthHit *hit = &dust->picture->hits[pixel];
-        vec3s ray = primary_direction(&dust->primary, column, row);
-        double direction[3], length = glms_vec3_norm(ray), end = length * (double)camera->far_plane;
-        if (hit->object != TRUTH_NONE)
-            end = glms_vec3_norm(glms_vec3_sub(hit->position, camera->eye));
+        vec3s sky = primary_direction(&dust->primary, column, row, (vec2s){{0.5f, 0.5f}});
+        bool hits = hit->object != TRUTH_NONE;
+        vec3s ray =
+            hits ? glms_vec3_sub(hit->position, camera->eye) : glms_vec3_scale(sky, camera->far_plane);
+        double direction[3], length = glms_vec3_norm(ray);
         widen(ray, direction);
         for (int c = 0; c < 3; c++)
             direction[c] /= length;
-        dust->scattered[pixel] = (float)trace_ray(dust, direction, end);
+        dust->scattered[pixel] = (float)trace_ray(dust, direction, length);
     }
 }
 

@@ -13,5 +13,5 @@ typedef struct PrimaryRays {
 // For a picture of this size.
 PrimaryRays primary_rays(const Camera *camera, int width, int height);
 
-// Through the middle of a pixel; row 0 is the top row.
-vec3s primary_direction(const PrimaryRays *primary, int column, int row);
+// Through a place in a pixel, 0..1 from its left upper corner; row 0 is the top row.
+vec3s primary_direction(const PrimaryRays *primary, int column, int row, vec2s within);

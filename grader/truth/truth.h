@@ -20,6 +20,7 @@
 enum {
     TRUTH_NONE = -1,          // no object
     TRUTH_MAX_SAMPLES = 4096, // of a query
+    TRUTH_MAX_ACROSS = 16,    // of a pixel
     TRUTH_THREADS = 2
 };
 
@@ -70,6 +71,8 @@ typedef struct TruthQuery {
                      // occlusion
     float limit;     // TRUTH_OCCLUSION: length of the rays, world units; 0: no limit
     uint64_t seed;   // the same seed gives the same bytes
+    int parts, part; // area light and occlusion, `parts` a square of a whole number that divides the grid of
+                     // strata: only the part-th of so many shares of them; 0: all
     bool one_by_one; // the same rays one at a time, for comparison
 } TruthQuery;
 
@@ -84,6 +87,17 @@ void truth_picture_destroy(TruthPicture *picture); // accepts a zeroed picture
 // Fills the picture with what the scene's camera sees through the pixels' centres between its near and far
 // plane.
 void truth_look(const Truth *truth, TruthPicture *picture);
+
+// Where in its pixel a ray passes: in stratum `part` of a grid of `across` x `across`, at a random place that
+// differs from pixel to pixel. Each pixel counts its strata in another order, so that what else goes by
+// `part` (TruthQuery) goes with each place alike; `across` is a power of two, at most TRUTH_MAX_ACROSS.
+typedef struct TruthPlace {
+    int across, part;
+    uint64_t seed;
+} TruthPlace;
+
+// As truth_look, but through these places in the pixels.
+void truth_look_within(const Truth *truth, TruthPicture *picture, const TruthPlace *place);
 
 // Visibility in 0..1 of each pixel of the picture, 0 for the background (the labs' visibility view is black
 // there) but for dust. False with a message for a light that the scene does not have, a number of samples out

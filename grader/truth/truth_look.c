@@ -1,4 +1,5 @@
 // Primary rays.
+#include "scene/check.h"
 #include "truth/primary.h"
 #include "truth/tile.h"
 #include "truth/truth.h"
@@ -8,6 +9,7 @@
 typedef struct Look {
     const Truth *truth;
     TruthPicture *picture;
+    const TruthPlace *place; // NULL: the middle
     PrimaryRays primary;
 } Look;
 
@@ -22,9 +24,23 @@ PrimaryRays primary_rays(const Camera *camera, int width, int height) {
                          .forward = vec3_make(-view.m02, -view.m12, -view.m22)};
 }
 
-vec3s primary_direction(const PrimaryRays *primary, int column, int row) {
-    float x = ((float)column + 0.5f) / (float)primary->width * 2 - 1;
-    float y = 1 - ((float)row + 0.5f) / (float)primary->height * 2;
+// Where in the pixel, 0..1.
+static vec2s place_in(const TruthPlace *place, uint64_t pixel) {
+    if (!place)
+        return (vec2s){{0.5f, 0.5f}};
+    int strata = place->across * place->across;
+    Random order = {place->seed + pixel * 0xd1342543de82ef95u};
+    int stratum = place->part ^ (int)(random_next(&order) % (uint64_t)strata);
+    Random random = {random_next(&order) + (uint64_t)place->part * 0x9fb21c651e98df25u};
+    random.state = random_next(&random); // neighbouring seeds share most of their sequence
+    float x = (float)(stratum % place->across) + random_range(&random, 0, 1);
+    float y = (float)(stratum / place->across) + random_range(&random, 0, 1);
+    return glms_vec2_divs((vec2s){{x, y}}, (float)place->across);
+}
+
+vec3s primary_direction(const PrimaryRays *primary, int column, int row, vec2s within) {
+    float x = ((float)column + within.x) / (float)primary->width * 2 - 1;
+    float y = 1 - ((float)row + within.y) / (float)primary->height * 2;
     return glms_vec3_add(primary->forward,
                          glms_vec3_add(glms_vec3_scale(primary->right, x), glms_vec3_scale(primary->up, y)));
 }
@@ -62,7 +78,8 @@ static void look_tile(const Tile *tile, void *context) {
     rtcInitIntersectContext(&with);
     with.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     for (int i = 0; i < TILE_LANES; i++) {
-        vec3s direction = primary_direction(&look->primary, tile->column[i], tile->row[i]);
+        vec2s within = place_in(look->place, tile->pixel[i]);
+        vec3s direction = primary_direction(&look->primary, tile->column[i], tile->row[i], within);
         rays.ray.org_x[i] = camera->eye.x, rays.ray.org_y[i] = camera->eye.y,
         rays.ray.org_z[i] = camera->eye.z;
         rays.ray.dir_x[i] = direction.x, rays.ray.dir_y[i] = direction.y, rays.ray.dir_z[i] = direction.z;
@@ -80,7 +97,19 @@ static void look_tile(const Tile *tile, void *context) {
                                rays.hit.v[i]);
 }
 
-void truth_look(const Truth *truth, TruthPicture *picture) {
-    Look look = {truth, picture, primary_rays(&truth->scene.camera, picture->width, picture->height)};
+static void look(const Truth *truth, TruthPicture *picture, const TruthPlace *place) {
+    PrimaryRays primary = primary_rays(&truth->scene.camera, picture->width, picture->height);
+    Look look = {truth, picture, place, primary};
     tile_each(picture->width, picture->height, look_tile, &look);
+}
+
+void truth_look(const Truth *truth, TruthPicture *picture) {
+    look(truth, picture, NULL);
+}
+
+void truth_look_within(const Truth *truth, TruthPicture *picture, const TruthPlace *place) {
+    INVARIANT(place->across >= 1 && place->across <= TRUTH_MAX_ACROSS &&
+              !(place->across & (place->across - 1)));
+    INVARIANT(place->part >= 0 && place->part < place->across * place->across);
+    look(truth, picture, place);
 }
