@@ -1,3 +1,5 @@
+// Starts whoever draws a lab for the study (the solution, with or without a change, or a submission), each
+// under the conditions that measuring asks for.
 #include "study/lab_artist.h"
 
 #include "scene/check.h"

@@ -177,7 +177,8 @@ static void list_methods(const StudyPlan *plan, const StudyScene *scene, SceneFi
     static MethodList list;
     study_add_methods(&list, scene);
     *findings = (SceneFindings){.scene = scene};
-    if (plan->artists.context != CONTEXT_EGL) // a processor's rays do not stand beside a GPU's times
+    // A processor's rays do not stand beside a GPU's times, and the truth of dust takes none.
+    if (plan->artists.context != CONTEXT_EGL && scene->query.kind != TRUTH_DUST)
         rays_add_methods(&list);
     for (int i = 0; i < list.count; i++)
         findings->findings[findings->count++].method = list.methods[i];

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 float pixels_facing(const Scene *scene, const TruthQuery *query, const TruthHit *hit) {
-    if (query->kind == TRUTH_OCCLUSION)
+    if (query->kind == TRUTH_OCCLUSION || query->kind == TRUTH_DUST)
         return hit->object == TRUTH_NONE ? -1 : 1;
     return truth_facing(scene, hit, query->kind == TRUTH_LIGHTS ? TRUTH_NONE : query->light);
 }
@@ -50,6 +50,8 @@ static bool trace_all(const Truth *truth, const TruthPicture *centers, TruthQuer
 bool pixels_trace(const Truth *truth, const TruthPicture *centers, const TruthQuery *query, int across,
                   float *visibility) {
     size_t pixels = (size_t)centers->width * (size_t)centers->height;
+    if (query->kind == TRUTH_DUST)
+        return truth_trace(truth, centers, query, visibility);
     if (truth_is_soft(&truth->scene, query) && query->samples % (across * across) != 0)
         return check_fail("%d samples a pixel are no whole number in each of %d places of it", query->samples,
                           across * across);

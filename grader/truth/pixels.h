@@ -4,8 +4,8 @@
 
 #include "truth/truth.h"
 
-// dot(normal, direction to the light) by which a pixel counts for this query (truth_facing); 1 for occlusion,
-// which has no direction; -1 for the background.
+// dot(normal, direction to the light) by which a pixel counts for this query (truth_facing); 1 for occlusion
+// and dust, which have no direction; -1 for the background.
 float pixels_facing(const Scene *scene, const TruthQuery *query, const TruthHit *hit);
 
 // Visibility of each pixel of `centers` (as truth_look fills it) by across x across rays from the camera, one
