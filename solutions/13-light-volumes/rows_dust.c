@@ -16,7 +16,7 @@ static const Change no_clamp = {.name = "no depth clamp",
                                 .edit_count = 1};
 static const Change each_counts = {
     .name = "each shadow counts",
-    .edits = {{"merge.frag", "from = max(from, next.y)", "next.y = from"},
+    .edits = {{"merge.frag", "from = next.y", "next.x = 0.0"},
               {"merge.frag", "if (shadow.y > from && shadow.x < next.x)", "if (caster == i)"}},
     .edit_count = 2};
 
