@@ -1,3 +1,4 @@
+// Finds the sides of shadow volumes on the CPU, triangle by triangle.
 #include "scene/silhouette.h"
 
 #include "scene/check.h"

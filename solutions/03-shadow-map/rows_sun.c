@@ -72,7 +72,7 @@ static bool sweep_overhead(LabSet *labs, Findings *findings, Curve *share, Curve
 
 static bool run_overhead(LabSet *labs, Findings *findings) {
     static const char *const names[] = {"lab 03", "lab 05", "lab 07"}, *const ids[] = {"03", "05", "07"};
-    const char sun[] = "the sun's angle from straight above (degrees)";
+    static const char sun[] = "the sun's angle from straight above (degrees)";
     Figure *share = findings_figure(findings, "A square shadow, seen from straight above", sun,
                                     "dark share of the picture"),
            *away = findings_figure(findings, "How far it lies from below the board", sun,

@@ -98,7 +98,7 @@ static bool sweep_far(LabSet *labs, Findings *findings, Curve *curve, Curve *fai
 }
 
 static bool run_far(LabSet *labs, Findings *findings) {
-    const char away[] = "distance along x and z (world units)";
+    static const char away[] = "distance along x and z (world units)";
     Figure *figure =
                findings_figure(findings, "Far from the origin", away, "error beyond that at the origin"),
            *lost = findings_figure(findings, "A million away", "way, in the order of the curves",
