@@ -1,3 +1,4 @@
+// The shapes that cast shadow volumes, and the volumes of a frame.
 #include "casters.h"
 
 #include "model.h"
@@ -14,6 +15,7 @@ typedef struct CasterModel {
 static CasterModel casters[SHAPE_COUNT];
 static Volume volume; // its memory serves all frames
 static GLuint volume_array, volume_buffer;
+static bool were_clamped;
 
 static bool create(CasterModel *caster, Shape shape) {
     if (!mesh_create(&caster->mesh, shape) || !adjacency_create(&caster->adjacency, &caster->mesh))
@@ -47,7 +49,12 @@ void casters_destroy(void) {
     volume_array = volume_buffer = 0;
 }
 
+bool casters_were_clamped(void) {
+    return were_clamped;
+}
+
 void casters_draw(const Frame *frame, const Program *program) {
+    were_clamped = glIsEnabled(GL_DEPTH_CLAMP);
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
         const Model *caster = &casters[object->shape].model;
@@ -81,6 +88,7 @@ static bool add_volume(const Frame *frame, int i) {
 }
 
 void casters_draw_volumes(const Frame *frame) {
+    were_clamped = glIsEnabled(GL_DEPTH_CLAMP);
     volume.count = 0;
     for (int i = 0; i < frame->scene->object_count; i++)
         add_volume(frame, i);

@@ -4,6 +4,7 @@
 
 #include "base/limits.h"
 #include "worker/primitives_view.h"
+#include "worker/quantise.h"
 #include "scene/shader_source.h"
 
 #include <dlfcn.h>
@@ -159,12 +160,20 @@ static void read_timers(const GLuint *timers, int count, float *milliseconds) {
     }
 }
 
+// What only shows a stage need not be drawn for the picture.
+static bool is_seen(const Pass *pass, const char *view) {
+    return pass->kind != PASS_SHOW ||
+           (strcmp(view, VIEW_PICTURE) != 0 && strcmp(view, VIEW_VISIBILITY) != 0 &&
+            strcmp(view, VIEW_PRIMITIVES) != 0);
+}
+
 static float run_pass(const Pass *pass, const Frame *frame, GLuint timer) {
     const float start = cpu_milliseconds();
     set_running(pass->name);
     if (timer)
         glBeginQuery(GL_TIME_ELAPSED, timer);
-    pass->draw(frame);
+    if (is_seen(pass, frame->view))
+        pass->draw(frame);
     if (timer)
         glEndQuery(GL_TIME_ELAPSED);
     glFinish();
@@ -191,24 +200,6 @@ static void run_passes(const Lab *lab, const Frame *frame, bool gpu_times, Reply
         return;
     read_timers(timers, count, reply->gpu_milliseconds);
     glDeleteQueries(LAB_MAX_PASSES, timers);
-}
-
-static uint8_t quantise_channel(float value) {
-    float clamped = value < 0 ? 0 : value > 1 ? 1 : value;
-    return (uint8_t)lrintf(clamped * 255);
-}
-
-// 8 bits a channel, top row first; a pixel with a NaN or an infinity gets alpha 0.
-static void quantise(const float *colors, uint8_t *pixels, int width, int height) {
-    for (int y = 0; y < height; y++)
-        for (int x = 0; x < width; x++) {
-            const float *from = colors + 4 * ((size_t)(height - 1 - y) * (size_t)width + (size_t)x);
-            uint8_t *to = pixels + 4 * ((size_t)y * (size_t)width + (size_t)x);
-            bool finite = isfinite(from[0]) && isfinite(from[1]) && isfinite(from[2]);
-            for (int c = 0; c < 3; c++)
-                to[c] = finite ? quantise_channel(from[c]) : 0;
-            to[3] = finite ? 255 : 0;
-        }
 }
 
 static bool read_pixels(const Target *target, uint8_t *pixels) {
@@ -250,7 +241,8 @@ bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *re
                    .knobs = hosted->knobs,
                    .width = request->width,
                    .height = request->height,
-                   .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0};
+                   .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0,
+                   .view = request->view};
     if (!ensure_created(hosted, request, &frame))
         return false;
     run_passes(hosted->lab, &frame, request->gpu_times, reply);
