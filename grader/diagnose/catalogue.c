@@ -50,7 +50,18 @@ static bool edit_lies_in(const Edit *edit, const FaultPart *part, const Rubric *
     return same;
 }
 
+// Where we do not know how a mistake is made, its task tells.
+static bool task_lies_in(const char *task, const FaultPart *part) {
+    for (int k = 0; task && k < FAULT_TASKS && part->tasks[k]; k++)
+        if (strcmp(part->tasks[k], task) == 0)
+            return true;
+    return false;
+}
+
 static bool lies_in_fault(const Change *mistake, const Fault *fault, const Rubric *rubric) {
+    for (int i = 0; i < fault->count && mistake->edit_count == 0; i++)
+        if (task_lies_in(mistake->task, &fault->parts[i]))
+            return true;
     for (int e = 0; e < mistake->edit_count; e++)
         for (int i = 0; i < fault->count; i++)
             if (edit_lies_in(&mistake->edits[e], &fault->parts[i], rubric))

@@ -2,6 +2,7 @@
 // be at fault, a known mistake, and last what the pictures show. grader/diagnose/README.md gives the reasons.
 #include "diagnose/diagnose.h"
 
+#include "diagnose/reset.h"
 #include "diagnose/swap.h"
 #include "diagnose/wording.h"
 #include "exam/exam_matrix.h"
@@ -71,18 +72,48 @@ static void sort_checks(Diagnosis *this) {
     }
 }
 
-static bool find_suspects(Diagnosis *this) {
-    bool among[EXAM_MAX_TASKS] = {0}, any = false;
-    const Rubric *rubric = this->exam->rubric;
-    const Fault *fault = &this->result->fault;
+// The tasks that are done in the parts with the fault.
+static void know_fault(Known *known, const Fault *fault, const Rubric *rubric) {
     for (int i = 0; i < fault->count; i++)
         for (int k = 0; k < FAULT_TASKS && fault->parts[i].tasks[k]; k++)
-            among[rubric_task_index(rubric, fault->parts[i].tasks[k])] = any = true;
-    for (int t = 0; fault->count == 0 && t < rubric->hint_count; t++)
-        among[t] = !this->open.open[t];
-    if (fault->count > 0 && !any)
-        return true;
-    return suspects_find(&this->suspects, this->result, this->exam, this->failed, among);
+            known->among[rubric_task_index(rubric, fault->parts[i].tasks[k])] = true;
+}
+
+static bool find_suspects(Diagnosis *this, const Known *known) {
+    return suspects_find(&this->suspects, this->result, this->exam, this->failed, known);
+}
+
+static void know_all(Known *known, const Diagnosis *this) {
+    for (int t = 0; t < this->exam->rubric->hint_count; t++)
+        known->among[t] = !this->open.open[t];
+}
+
+static bool find_by_swap(Diagnosis *this, const WorkerClient *student) {
+    Known known = {0};
+    LabResult *result = this->result;
+    if (!swap_find(&result->fault, result, this->exam, student, &this->open, this->failed))
+        return false;
+    if (result->fault.count > 0)
+        know_fault(&known, &result->fault, this->exam->rubric);
+    else
+        know_all(&known, this);
+    return find_suspects(this, &known);
+}
+
+static bool find_by_reset(Diagnosis *this, const WorkerClient *student) {
+    static ResetFound found;
+    LabResult *result = this->result;
+    bool any = false;
+    if (!reset_find(&found, result, this->exam, student, &this->open, this->failed))
+        return false;
+    for (int t = 0; t < EXAM_MAX_TASKS; t++)
+        any = any || found.known.among[t];
+    if (!any && !found.any)
+        know_all(&found.known, this);
+    if (!find_suspects(this, &found.known))
+        return false;
+    reset_note(&result->fault, &found, &this->suspects, this->exam->parts);
+    return true;
 }
 
 static void describe_size(CheckResult *check, const Variant *variant) {
@@ -168,9 +199,9 @@ bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, bool s
             wording_summary(result, NULL, &this.suspects, this.next, exam->rubric);
         return true;
     }
-    if (swap && exam->painters && !swap_find(&result->fault, result, exam, student, &this.open, this.failed))
-        return false;
-    if (!find_suspects(&this) || !catalogue_find(&this.named, result, exam, this.failed))
+    const bool found =
+        swap && exam->painters ? find_by_swap(&this, student) : find_by_reset(&this, student);
+    if (!found || !catalogue_find(&this.named, result, exam, this.failed))
         return false;
     name_faults(&this);
     return true;
