@@ -10,6 +10,7 @@
 typedef struct Part {
     int file;             // of rubric->files
     const char *function; // its name; "": what stands outside of functions
+    bool whole;           // all of the file, where tasks are to be done outside of functions
 } Part;
 
 typedef struct Parts {
@@ -20,8 +21,8 @@ typedef struct Parts {
     int count;
 } Parts;
 
-// Of the files' texts as they were handed out, which become the list's. A file that cannot be taken apart has
-// no parts; what is more than EXAM_MAX_PARTS is left out.
+// Of the files' texts as they were handed out, which become the list's. A file that cannot be taken apart is
+// one part; what is more than EXAM_MAX_PARTS is left out.
 void parts_list(Parts *parts, const Rubric *rubric, char *const texts[]);
 void parts_destroy(Parts *parts); // accepts a zeroed one
 

@@ -4,6 +4,7 @@
 
 #include "compile/functions.h"
 #include "compile/lab_folder.h"
+#include "diagnose/wording.h"
 #include "exam/exam_matrix.h"
 #include "exam/frame_score.h"
 #include "scene/check.h"
@@ -94,11 +95,22 @@ static bool shows_anything(const CheckResult *check) {
     return check->yours[check->worst].rgba && !error_kind_is_plain(&check->yours[check->worst]);
 }
 
-static bool any_shows(const LabResult *result, const bool failed[]) {
-    for (int c = 0; c < result->check_count; c++)
-        if (failed[c] && shows_anything(&result->checks[c]))
-            return true;
-    return false;
+static bool lost_edges(const CheckResult *check, const Variant *variant, const Rubric *rubric) {
+    return wording_view(check->check, rubric) != ERROR_VIEW_VALUES &&
+           error_kind_lost_edges(&check->yours[check->worst], &variant->reference, &variant->without);
+}
+
+static NamedLooks looks_of(const LabResult *result, const Exam *exam, const bool failed[]) {
+    NamedLooks looks = NAMED_PLAIN;
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        if (!failed[c] || !shows_anything(check))
+            continue;
+        if (!lost_edges(check, &exam->variants[c][check->worst], exam->rubric))
+            return NAMED_SHOWN;
+        looks = NAMED_NO_EDGES;
+    }
+    return looks;
 }
 
 // Of all checks in question, or with `shown` of those that show anything.
@@ -131,8 +143,8 @@ static bool is_contradicted(const LabResult *result, int m, Exam *exam) {
 bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[]) {
     const Rubric *rubric = exam->rubric;
     double nearest = INFINITY, next = INFINITY, reference = 0;
-    const bool shown = any_shows(result, failed);
-    *named = (Named){-1, -1, !shown};
+    *named = (Named){-1, -1, looks_of(result, exam, failed)};
+    const bool shown = named->looks != NAMED_PLAIN;
     if (!shown && result->fault.count == 0)
         return true;
     INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);

@@ -5,9 +5,16 @@
 
 #include <stdbool.h>
 
+// Of the failed checks' pictures: where they show so little, many causes draw that.
+typedef enum NamedLooks {
+    NAMED_SHOWN,
+    NAMED_PLAIN,   // one colour each
+    NAMED_NO_EDGES // no edge of a shadow is left in any
+} NamedLooks;
+
 typedef struct Named {
     int first, second; // numbers in rubric->mistakes; second draws nearly the same; -1: none
-    bool plain;        // the pictures have one colour each: many causes draw that
+    NamedLooks looks;
 } Named;
 
 // The mistake whose pictures are much nearer than the reference in every check of `failed` that shows

@@ -10,7 +10,6 @@
 #include "score/error_kind.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct Diagnosis {
@@ -100,19 +99,18 @@ static bool find_by_swap(Diagnosis *this, const WorkerClient *student) {
     return find_suspects(this, &known);
 }
 
-static bool find_by_reset(Diagnosis *this, const WorkerClient *student) {
-    static ResetFound found;
+static bool find_by_reset(Diagnosis *this, const WorkerClient *student, ResetFound *found) {
     LabResult *result = this->result;
     bool any = false;
-    if (!reset_find(&found, result, this->exam, student, &this->open, this->failed))
+    if (!reset_find(found, result, this->exam, student, &this->open, this->failed))
         return false;
     for (int t = 0; t < EXAM_MAX_TASKS; t++)
-        any = any || found.known.among[t];
-    if (!any && !found.any)
-        know_all(&found.known, this);
-    if (!find_suspects(this, &found.known))
+        any = any || found->known.among[t];
+    if (!any && !found->any)
+        know_all(&found->known, this);
+    if (!find_suspects(this, &found->known))
         return false;
-    reset_note(&result->fault, &found, &this->suspects, this->exam->parts);
+    reset_note(&result->fault, found, &this->suspects, this->exam->parts);
     return true;
 }
 
@@ -121,15 +119,6 @@ static void describe_size(CheckResult *check, const Variant *variant) {
     snprintf(check->seen, sizeof check->seen, "the texture \"%s\" is %d x %d, and here it has to be %d x %d",
              check->check->view, yours->stage_width, yours->stage_height, ours->stage_width,
              ours->stage_height);
-}
-
-// The labs before the first shadow map have no shadows; stages are maps, atlases and counts.
-static ErrorView view_of(const CheckResult *check, const Rubric *rubric) {
-    const bool shadows = atoi(rubric->id) > 2;
-    if (shadows && strcmp(check->check->view, "picture") == 0)
-        return ERROR_VIEW_SHADED;
-    return shadows && strcmp(check->check->view, "visibility") == 0 ? ERROR_VIEW_VISIBILITY
-                                                                    : ERROR_VIEW_VALUES;
 }
 
 // What the picture shows, when it says something beside the cause.
@@ -149,7 +138,7 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
         snprintf(check->seen, sizeof check->seen, "the picture is that of the lab as it was handed out");
     else
         error_kind(check->seen, sizeof check->seen, &check->yours[check->worst],
-                   &exam->variants[c][check->worst].reference, view_of(check, exam->rubric));
+                   &exam->variants[c][check->worst].reference, wording_view(check->check, exam->rubric));
 }
 
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {
@@ -189,9 +178,44 @@ static void name_faults(Diagnosis *this) {
         snprintf(this->result->advice, sizeof this->result->advice, "%s", hint);
 }
 
-bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, bool swap) {
+static bool find_mistake(Diagnosis *this) {
+    return catalogue_find(&this->named, this->result, this->exam, this->failed);
+}
+
+// The mistake's name says which task it is; the parts are then those of that task.
+static void narrow_to_named(Diagnosis *this, const ResetFound *found) {
+    const Rubric *rubric = this->exam->rubric;
+    const int named[2] = {this->named.first, this->named.second};
+    Suspects narrow = {.certain = this->suspects.certain};
+    for (int i = 0; i < 2 && this->named.looks == NAMED_SHOWN; i++) {
+        const char *task = named[i] >= 0 ? rubric->mistakes[named[i]].task : NULL;
+        const int t = task ? rubric_task_index(rubric, task) : -1;
+        if (t >= 0 && (i == 0 || t != narrow.tasks[0]))
+            narrow.tasks[narrow.count++] = t;
+    }
+    if (narrow.count == 0)
+        return;
+    this->suspects = narrow;
+    reset_note(&this->result->fault, found, &this->suspects, this->exam->parts);
+}
+
+static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch search) {
+    static ResetFound found;
+    Known known = {0};
+    know_all(&known, this);
+    if (search == FAULT_BY_PICTURES)
+        return find_suspects(this, &known) && find_mistake(this);
+    if (search == FAULT_BY_SWAP && this->exam->painters)
+        return find_by_swap(this, student) && find_mistake(this);
+    if (!find_by_reset(this, student, &found) || !find_mistake(this))
+        return false;
+    narrow_to_named(this, &found);
+    return true;
+}
+
+bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, FaultSearch search) {
     static Diagnosis this;
-    this = (Diagnosis){.result = result, .exam = exam, .named = {-1, -1, false}};
+    this = (Diagnosis){.result = result, .exam = exam, .named = {.first = -1, .second = -1}};
     open_tasks_find(&this.open, result, exam, student->folder);
     sort_checks(&this);
     if (!this.any_failed) {
@@ -199,9 +223,7 @@ bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, bool s
             wording_summary(result, NULL, &this.suspects, this.next, exam->rubric);
         return true;
     }
-    const bool found =
-        swap && exam->painters ? find_by_swap(&this, student) : find_by_reset(&this, student);
-    if (!found || !catalogue_find(&this.named, result, exam, this.failed))
+    if (!find_fault(&this, student, search))
         return false;
     name_faults(&this);
     return true;

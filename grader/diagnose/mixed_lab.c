@@ -107,7 +107,9 @@ typedef struct Judging {
 static bool judge_check(const MixedLab *lab, Drawing *drawing, int c, const Judging *judging) {
     static Reply reply;
     const Variant *variant = &lab->exam->variants[c][lab->result->checks[c].worst];
-    if (worker_client_draw(drawing->worker, &variant->request, &drawing->picture, &reply) != DRAW_OK)
+    const DrawResult drawn =
+        worker_client_draw(drawing->worker, &variant->request, &drawing->picture, &reply);
+    if (drawn != DRAW_OK && drawn != DRAW_FAILED) // what draws nothing, and says why, is black
         return false;
     judging->judge(judging->context, c, &drawing->picture, &reply.facts);
     return true;

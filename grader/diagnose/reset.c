@@ -18,11 +18,8 @@ static const double BUDGET = 2.5, COST_OF_C = 0.16, COST_OF_SHADERS = 0.08, COST
 // Of the pixels that are wrong in the submission: so many may differ yet.
 static const double REST = 0.05;
 
-// That a part hides a fault of another one by chance speaks against that one like so many checks.
-enum { CHANCE = 2 };
-
 typedef struct Trial {
-    bool tried;
+    bool tried; // and drawn, by theirs and by ours
     bool right[RUBRIC_MAX_CHECKS]; // the rest draws what it should
     int weight;                    // the largest is tried first
 } Trial;
@@ -41,17 +38,20 @@ typedef struct ResetSearch {
 static bool is_like(const ResetSearch *search, int p, int c, const Image *picture, const FrameFacts *facts) {
     const CheckResult *check = &search->lab.result->checks[c];
     const int n = check->worst;
-    const Image *ours = exam_reset(search->exam, p, c, n);
-    if (!ours || !picture->rgba || frame_wrong_size(facts, &search->exam->resets[p][c][n].facts) ||
-        facts->refused != search->exam->resets[p][c][n].facts.refused)
-        return false;
-    const double wrong = (double)score_count(&check->yours[n], &search->exam->variants[c][n].reference);
-    return (double)score_count(picture, ours) <= REST * wrong;
+    const LatePicture *late = &search->exam->resets[p][c][n];
+    const Variant *variant = &search->exam->variants[c][n];
+    const double wrong = (double)score_count(&check->yours[n], &variant->reference);
+    return !frame_wrong_size(facts, &late->facts) && facts->refused == late->facts.refused &&
+           (double)score_count(picture, exam_shown(late, variant)) <= REST * wrong;
 }
 
 static void note_check(void *context, int c, const Image *picture, const FrameFacts *facts) {
     ResetSearch *search = context;
-    search->trials[search->now].right[c] = is_like(search, search->now, c, picture, facts);
+    Trial *trial = &search->trials[search->now];
+    if (exam_reset(search->exam, search->now, c, search->lab.result->checks[c].worst))
+        trial->right[c] = is_like(search, search->now, c, picture, facts);
+    else
+        trial->tried = false;
 }
 
 // The student has changed it, or left it with a task that is done by what the files say.
@@ -87,13 +87,11 @@ static bool is_of_c(const char *name) {
 }
 
 // A part that is as it was handed out already: the submission's own pictures are its.
-static void try_untouched(ResetSearch *search, int p) {
-    Trial *trial = &search->trials[p];
-    trial->tried = true;
+static void try_untouched(ResetSearch *search) {
     for (int c = 0; c < search->lab.result->check_count; c++) {
         const CheckResult *check = &search->lab.result->checks[c];
-        trial->right[c] = search->lab.failed[c] && is_like(search, p, c, &check->yours[check->worst],
-                                                           &check->facts[check->worst]);
+        if (search->lab.failed[c])
+            note_check(search, c, &check->yours[check->worst], &check->facts[check->worst]);
     }
 }
 
@@ -101,18 +99,22 @@ static void try_part(ResetSearch *search, int p) {
     const Part *part = &search->parts->list[p];
     MixedFile *file = &search->lab.files[part->file];
     const MixedFile before = *file;
+    search->now = p;
+    search->trials[p].tried = true;
     if (parts_same(search->parts, p, &file->theirs)) {
-        try_untouched(search, p);
+        try_untouched(search);
         return;
     }
-    if (part->function[0])
+    if (part->whole)
+        file->all_ours = true;
+    else if (part->function[0])
         file->choice.names[file->choice.count++] = part->function;
     else
         file->choice.outside = true;
-    search->now = p;
     search->spent += (is_of_c(file->name) ? COST_OF_C : COST_OF_SHADERS) +
                      COST_OF_FRAME * search->lab.failed_count;
-    search->trials[p].tried = mixed_lab_draw(&search->lab, note_check, search);
+    if (!mixed_lab_draw(&search->lab, note_check, search))
+        search->trials[p].tried = false;
     *file = before;
 }
 
@@ -172,10 +174,10 @@ static void find_candidates(ResetFound *found, ResetSearch *search) {
             found->parts[p] = proof || !proved;
             proved = proved || proof;
         }
-    for (int p = 0; p < search->parts->count; p++)
+    for (int p = 0; p < search->parts->count; p++) {
         found->any = found->any || found->parts[p];
-    for (int p = 0; p < search->parts->count && !found->any; p++)
-        found->unknown[p] = !search->trials[p].tried && may_have_fault(search, p);
+        found->unknown[p] = !proved && !search->trials[p].tried && may_have_fault(search, p);
+    }
 }
 
 // Would it be by chance that another candidate hides a fault of p, too?
@@ -195,17 +197,35 @@ static void know_tasks(ResetFound *found, ResetSearch *search) {
             if (!parts_have_task(search->parts, p, rubric->hints[t].task))
                 continue;
             found->known.among[t] = found->known.among[t] || found->parts[p] || found->unknown[p];
-            by_chance = by_chance && !(found->parts[p] && !is_coincidence(found, search, p));
+            by_chance = by_chance && found->parts[p] && is_coincidence(found, search, p);
         }
-        found->known.against[t] = found->any && by_chance ? CHANCE : 0;
+        found->known.by_chance[t] = found->any && by_chance;
     }
+}
+
+#include <stdlib.h>
+static void debug(const ResetFound *found, ResetSearch *search) {
+    if (!getenv("KD")) return;
+    for (int p = 0; p < search->parts->count; p++) {
+        if (!may_have_fault(search,p)) continue;
+        fprintf(stderr, "part %s:%s tried %d cand %d  ", search->parts->rubric->files[search->parts->list[p].file], search->parts->list[p].function, search->trials[p].tried, found->parts[p]);
+        for (int c = 0; c < search->lab.result->check_count; c++)
+            fputc(!search->lab.failed[c] ? '-' : search->trials[p].right[c] ? 'R' : 'x', stderr);
+        for (int q = 0; q < search->parts->count; q++) if (q!=p && found->parts[q] && found->parts[p]) {
+            fprintf(stderr, " [hides %s:", search->parts->list[q].function);
+            for (int c = 0; c < search->lab.result->check_count; c++) if (search->lab.failed[c]) fputc("?.s"[exam_hidden(search->exam,p,q,c)],stderr);
+            fprintf(stderr,"]");
+        }
+        fputc('\n',stderr);
+    }
+    for (int t = 0; t < search->parts->rubric->hint_count; t++) fprintf(stderr, "task %s among %d against %d\n", search->parts->rubric->hints[t].task, found->known.among[t], found->known.by_chance[t]);
 }
 
 static void note_part(Fault *fault, const Parts *parts, int p) {
     const Rubric *rubric = parts->rubric;
     FaultPart *noted = &fault->parts[fault->count++];
     int count = 0;
-    *noted = (FaultPart){.file = rubric->files[parts->list[p].file]};
+    *noted = (FaultPart){.file = rubric->files[parts->list[p].file], .whole = parts->list[p].whole};
     snprintf(noted->function, sizeof noted->function, "%s", parts->list[p].function);
     snprintf(noted->ours, sizeof noted->ours, "%s", parts->list[p].function);
     for (int t = 0; t < rubric->hint_count && count < FAULT_TASKS; t++)
@@ -222,12 +242,16 @@ static bool has_suspect(const Parts *parts, int p, const Suspects *suspects) {
 
 void reset_note(Fault *fault, const ResetFound *found, const Suspects *suspects, const Parts *parts) {
     int count = 0;
-    for (int p = 0; p < parts->count; p++)
-        count += found->parts[p] && (suspects->count == 0 || has_suspect(parts, p, suspects));
+    *fault = (Fault){.reset = true};
+    for (int p = 0; p < parts->count; p++) {
+        const bool meant = suspects->count == 0 || has_suspect(parts, p, suspects);
+        if (found->unknown[p] && suspects->count > 0 && meant) // nothing is proved of it
+            return;
+        count += found->parts[p] && meant;
+    }
     for (int p = 0; p < parts->count && count <= FAULT_PARTS; p++)
         if (found->parts[p] && (suspects->count == 0 || has_suspect(parts, p, suspects)))
             note_part(fault, parts, p);
-    fault->reset = true;
     fault->either = fault->count > 1;
     fault->failed = fault->repaired = found->failed;
     fault->stopped = found->stopped;
@@ -247,6 +271,7 @@ bool reset_find(ResetFound *found, const LabResult *result, Exam *exam, const Wo
         try_parts(&search);
         find_candidates(found, &search);
         know_tasks(found, &search);
+        debug(found, &search);
     }
     found->failed = search.lab.failed_count;
     found->stopped = search.stopped;

@@ -9,7 +9,7 @@
 typedef struct ResetFound {
     bool any;                     // of `parts`
     bool parts[EXAM_MAX_PARTS];   // those with which the rest draws right
-    bool unknown[EXAM_MAX_PARTS]; // when there are none: those that could not be tried
+    bool unknown[EXAM_MAX_PARTS]; // those that could not be tried
     Known known;                  // of the tasks in these parts
     int failed;                   // checks that were looked at
     bool stopped;                 // the time was over before all was tried
@@ -20,5 +20,6 @@ typedef struct ResetFound {
 bool reset_find(ResetFound *found, const LabResult *result, Exam *exam, const WorkerClient *student,
                 const OpenTasks *tasks, const bool failed[]);
 
-// Writes down the found parts in which a suspect is done; nothing when these are more than FAULT_PARTS.
+// Writes down the found parts in which a suspect is done; nothing when these are more than FAULT_PARTS, or when a
+// suspect may be done in a part that could not be tried.
 void reset_note(Fault *fault, const ResetFound *found, const Suspects *suspects, const Parts *parts);

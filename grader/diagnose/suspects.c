@@ -1,65 +1,86 @@
+// Compares which checks failed with those that fail without a task, and with its known mistakes.
 #include "diagnose/suspects.h"
 
 #include "exam/exam_matrix.h"
 
-#include <stdlib.h>
 #include <string.h>
 
+// What speaks against a task. One that is not done shows in more checks than one that is done nearly right, so a
+// check that passes says less against it than against a mistake.
+enum {
+    MISTAKE_MISFITS = 2,
+    UNDONE_FAILS = 1,  // without the task the check fails, which passed here
+    UNDONE_PASSES = 2, // ... the other way round
+    BY_CHANCE = 2,
+    OWN_CHECK = 2, // speaks for it
+    MOST_OWN = 2,  // checks that count so
+    MARGIN = 2     // what is this near to the best may be it as well
+};
+
 typedef struct Evidence {
-    int misfits;   // checks that fail here and not so, or pass here and not so, and what else is known
-    int own;       // checks in question that are about the task
+    int weight;    // what speaks against the task: the less, the more likely
     bool explains; // any of the checks in question
     bool certain;  // undone, the task fails just those
 } Evidence;
 
 typedef ExamEntry Entry(Exam *exam, int number, int c);
 
-// Compares which checks fail with which of them fail so. False when ours cannot draw.
-static bool compare(int *misfits, bool *explains, const LabResult *result, Exam *exam, const bool failed[],
-                    Entry *entry, int number) {
-    *misfits = 0;
-    *explains = false;
+// What compare adds to the weight of a check that passes here and fails so, and of the other way round.
+typedef struct Costs {
+    int fails, passes;
+} Costs;
+
+// Weighs which checks fail here against which of them fail so. False when ours cannot draw.
+static bool compare(Evidence *evidence, const LabResult *result, Exam *exam, const bool failed[], Entry *entry,
+                    int number, Costs costs) {
+    *evidence = (Evidence){0};
     for (int c = 0; c < result->check_count; c++) {
-        const CheckResult *check = &result->checks[c];
-        if (!failed[c] && !check->passed)
+        if (!failed[c] && !result->checks[c].passed)
             continue;
         const ExamEntry so = entry(exam, number, c);
         if (so == EXAM_UNKNOWN && exam->painters)
             return false;
-        *misfits += so != EXAM_UNKNOWN && (so == EXAM_FAILS) != failed[c];
-        *explains = *explains || (so == EXAM_FAILS && failed[c]);
+        evidence->weight += so == EXAM_FAILS && !failed[c]  ? costs.fails
+                            : so == EXAM_PASSES && failed[c] ? costs.passes
+                                                             : 0;
+        evidence->explains = evidence->explains || (so == EXAM_FAILS && failed[c]);
     }
+    evidence->certain = evidence->explains && evidence->weight == 0;
     return true;
+}
+
+// Takes the mistake's evidence where it fits better than what there is.
+static void take_better(Evidence *evidence, const Evidence *mistake) {
+    if (mistake->explains && (!evidence->explains || mistake->weight < evidence->weight)) {
+        evidence->weight = mistake->weight;
+        evidence->explains = true;
+    }
 }
 
 static bool weigh(Evidence *evidence, int t, const LabResult *result, Exam *exam, const bool failed[]) {
     const Rubric *rubric = exam->rubric;
     const char *task = rubric->hints[t].task;
-    int misfits;
-    bool explains;
-    *evidence = (Evidence){0};
-    if (!compare(&evidence->misfits, &evidence->explains, result, exam, failed, exam_without_task, t))
+    if (!compare(evidence, result, exam, failed, exam_without_task, t, (Costs){UNDONE_FAILS, UNDONE_PASSES}))
         return false;
-    evidence->certain = evidence->explains && evidence->misfits == 0;
     for (int m = 0; m < rubric->mistake_count && !evidence->certain; m++) {
+        Evidence mistake;
         if (!rubric->mistakes[m].task || strcmp(rubric->mistakes[m].task, task) != 0)
             continue;
-        if (!compare(&misfits, &explains, result, exam, failed, exam_with_mistake, m))
+        if (!compare(&mistake, result, exam, failed, exam_with_mistake, m,
+                     (Costs){MISTAKE_MISFITS, MISTAKE_MISFITS}))
             return false;
-        if (explains && (misfits < evidence->misfits || !evidence->explains))
-            evidence->misfits = misfits;
-        evidence->explains = evidence->explains || explains;
+        take_better(evidence, &mistake);
     }
-    for (int c = 0; c < result->check_count; c++)
-        evidence->own += failed[c] && strcmp(result->checks[c].check->task, task) == 0;
+    int own = 0;
+    for (int c = 0; c < result->check_count && own < MOST_OWN; c++)
+        own += failed[c] && strcmp(result->checks[c].check->task, task) == 0;
+    evidence->weight -= own * OWN_CHECK;
     return true;
 }
 
 static void insert(Suspects *suspects, Evidence *sorted, int t, const Evidence *evidence) {
     int i = suspects->count++;
-    for (; i > 0 && (evidence->misfits < sorted[i - 1].misfits ||
-                     (evidence->misfits == sorted[i - 1].misfits && evidence->own > sorted[i - 1].own));
-         i--) {
+    for (; i > 0 && evidence->weight < sorted[i - 1].weight; i--) {
         suspects->tasks[i] = suspects->tasks[i - 1];
         sorted[i] = sorted[i - 1];
     }
@@ -76,14 +97,16 @@ bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, cons
             continue;
         if (!weigh(&evidence, t, result, exam, failed))
             return false;
-        evidence.misfits += known->against[t];
+        evidence.weight += known->by_chance[t] ? BY_CHANCE : 0;
         if (evidence.explains)
             insert(suspects, sorted, t, &evidence);
     }
-    int equal = 0;
-    while (equal < suspects->count && sorted[equal].misfits == sorted[0].misfits)
-        equal++;
-    suspects->count = equal;
-    suspects->certain = equal > 0 && sorted[0].certain;
+    int near = 0;
+    while (near < suspects->count && sorted[near].weight <= sorted[0].weight + MARGIN)
+        near++;
+    suspects->count = near;
+    suspects->certain = near > 0;
+    for (int i = 0; i < near; i++)
+        suspects->certain = suspects->certain && sorted[i].certain;
     return true;
 }

@@ -14,12 +14,13 @@ typedef struct Suspects {
 
 // What is known of the tasks, by rubric_task_index.
 typedef struct Known {
-    bool among[EXAM_MAX_TASKS];  // those in question
-    int against[EXAM_MAX_TASKS]; // that speak against each beside the checks
+    bool among[EXAM_MAX_TASKS];     // those in question
+    bool by_chance[EXAM_MAX_TASKS]; // a fault there would be seen elsewhere, but by chance
 } Known;
 
 // Of the tasks in question those that fit best: of which the task undone, or a known mistake in it, fails the
-// checks in `failed` and none that passed, but for the fewest. A check's own tasks come first among equals.
-// False with a message when ours cannot draw.
+// checks in `failed` and no others, but for the fewest; and with them those that fit nearly as well, since a fault
+// that nobody knows yet may fail another check than those. That failed checks are about a task speaks for it. False
+// with a message when ours cannot draw.
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
                    const Known *known);

@@ -1,9 +1,11 @@
 // The sentences of a diagnosis, each in one function.
 #include "diagnose/wording.h"
 
+#include "protocol/protocol.h"
 #include "scene/check.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void add_part(char *text, size_t size, const FaultPart *part) {
@@ -39,7 +41,7 @@ static void add_tasks(char *text, size_t size, const Suspects *suspects, const R
 // "with that as it was handed out, the rest draws right", "... in 3 of 5 failed checks"
 static void add_reset_proof(char *text, size_t size, const Fault *fault) {
     check_append(text, size, "with %s as handed out, the rest draws as it should",
-                 fault->either      ? "either"
+                 fault->either ? fault->count > 2 ? "any of them" : "either"
                  : fault->count > 1 ? "them"
                                     : "it");
     if (fault->repaired < fault->failed)
@@ -106,8 +108,10 @@ void wording_names(char *text, size_t size, const Named *named, const Rubric *ru
     check_append(text, size, "%s", rubric->mistakes[named->first].name);
     if (named->second >= 0)
         check_append(text, size, ", or %s", rubric->mistakes[named->second].name);
-    if (named->plain)
+    if (named->looks == NAMED_PLAIN)
         check_append(text, size, ", or something else there that leaves the picture in one colour");
+    else if (named->looks == NAMED_NO_EDGES)
+        check_append(text, size, ", or something else there that leaves all of it lit, or all dark");
 }
 
 void wording_summary(LabResult *result, const char *mistake, const Suspects *suspects, const char *open,
@@ -139,4 +143,11 @@ void wording_summary(LabResult *result, const char *mistake, const Suspects *sus
                      suspects->count > 1 ? "them" : "it");
     if (!mistake)
         add_hint(result->advice, sizeof result->advice, result, suspects, rubric);
+}
+
+ErrorView wording_view(const Check *check, const Rubric *rubric) {
+    const bool shadows = atoi(rubric->id) > 2;
+    if (shadows && strcmp(check->view, VIEW_PICTURE) == 0)
+        return ERROR_VIEW_SHADED;
+    return shadows && strcmp(check->view, VIEW_VISIBILITY) == 0 ? ERROR_VIEW_VISIBILITY : ERROR_VIEW_VALUES;
 }

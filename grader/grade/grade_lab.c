@@ -241,7 +241,7 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     address_explain(result, student, exam->rubric);
     if (options->early && !result_done(result))
         options->early(result, options->early_context);
-    return diagnose(result, exam, student, !options->no_swap) &&
+    return diagnose(result, exam, student, options->no_swap ? FAULT_BY_RESET : FAULT_BY_SWAP) &&
            (!options->evidence || evidence_attach(result, exam));
 }
 
