@@ -15,9 +15,9 @@ typedef struct Part {
 
 typedef struct Parts {
     const Rubric *rubric;
-    char *texts[RUBRIC_MAX_FILES];       // as they were handed out; owned
-    Functions handed[RUBRIC_MAX_FILES];  // of them
-    Part list[EXAM_MAX_PARTS]; // in the order of the files and the functions in them
+    char *texts[RUBRIC_MAX_FILES];      // as they were handed out; owned
+    Functions handed[RUBRIC_MAX_FILES]; // of them
+    Part list[EXAM_MAX_PARTS];          // in the order of the files and the functions in them
     int count;
 } Parts;
 

@@ -4,7 +4,7 @@
 
 #include "compile/functions.h"
 #include "compile/lab_folder.h"
-#include "diagnose/wording.h"
+#include "diagnose/error_view.h"
 #include "exam/exam_matrix.h"
 #include "exam/frame_score.h"
 #include "scene/check.h"
@@ -59,15 +59,33 @@ static bool task_lies_in(const char *task, const FaultPart *part) {
     return false;
 }
 
-static bool lies_in_fault(const Change *mistake, const Fault *fault, const Rubric *rubric) {
-    for (int i = 0; i < fault->count && mistake->edit_count == 0; i++)
-        if (task_lies_in(mistake->task, &fault->parts[i]))
-            return true;
+static bool lies_in(const Change *mistake, const FaultPart *part, const Rubric *rubric) {
+    if (mistake->edit_count == 0)
+        return !part->tasks[0] || task_lies_in(mistake->task, part);
     for (int e = 0; e < mistake->edit_count; e++)
-        for (int i = 0; i < fault->count; i++)
-            if (edit_lies_in(&mistake->edits[e], &fault->parts[i], rubric))
-                return true;
+        if (edit_lies_in(&mistake->edits[e], part, rubric))
+            return true;
     return false;
+}
+
+static bool lies_in_fault(const Change *mistake, const Fault *fault, const Rubric *rubric) {
+    for (int i = 0; i < fault->count; i++)
+        if (lies_in(mistake, &fault->parts[i], rubric))
+            return true;
+    return fault->count == 0;
+}
+
+// In a part that can have the fault, or that could not be tried.
+static bool lies_in_found(const Change *mistake, const ResetFound *found, const Exam *exam) {
+    for (int p = 0; found && found->any && p < exam->parts->count; p++) {
+        FaultPart part;
+        if (!found->parts[p] && !found->unknown[p])
+            continue;
+        reset_part(&part, exam->parts, p);
+        if (lies_in(mistake, &part, exam->rubric))
+            return true;
+    }
+    return !found || !found->any;
 }
 
 // Of a frame of the student's from one of ours, in pixels and in what it tells beside them.
@@ -96,7 +114,7 @@ static bool shows_anything(const CheckResult *check) {
 }
 
 static bool lost_edges(const CheckResult *check, const Variant *variant, const Rubric *rubric) {
-    return wording_view(check->check, rubric) != ERROR_VIEW_VALUES &&
+    return error_view_of(check->check, rubric) != ERROR_VIEW_VALUES &&
            error_kind_lost_edges(&check->yours[check->worst], &variant->reference, &variant->without);
 }
 
@@ -140,17 +158,19 @@ static bool is_contradicted(const LabResult *result, int m, Exam *exam) {
     return false;
 }
 
-bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[]) {
+bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[],
+                    const ResetFound *found) {
     const Rubric *rubric = exam->rubric;
     double nearest = INFINITY, next = INFINITY, reference = 0;
     *named = (Named){-1, -1, looks_of(result, exam, failed)};
     const bool shown = named->looks != NAMED_PLAIN;
-    if (!shown && result->fault.count == 0)
+    const bool placed = result->fault.count > 0 || (found && found->any);
+    if (!shown && !placed)
         return true;
     INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);
     for (int m = 0; m < rubric->mistake_count; m++) {
         const Change *mistake = &rubric->mistakes[m];
-        if (result->fault.count > 0 && !lies_in_fault(mistake, &result->fault, rubric))
+        if (!lies_in_fault(mistake, &result->fault, rubric) || !lies_in_found(mistake, found, exam))
             continue;
         const double own = distance(result, m, exam, failed, shown, &reference);
         if (own < 0)

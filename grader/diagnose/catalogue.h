@@ -1,7 +1,7 @@
 // When a mistake of the catalogue may be named.
 #pragma once
 
-#include "diagnose/suspects.h"
+#include "diagnose/reset.h"
 
 #include <stdbool.h>
 
@@ -19,6 +19,7 @@ typedef struct Named {
 
 // The mistake whose pictures are much nearer than the reference in every check of `failed` that shows
 // anything, and with which no check fails that passed here. It must lie in a part of the fault, if one was
-// found. Where no check shows anything, only a mistake in the fault's part is named, as one of several. False
-// with a message when ours cannot draw.
-bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[]);
+// found, or in one of `found` (NULL: none were looked for) that can have it. Where no check shows anything,
+// only a mistake in such a part is named, as one of several. False with a message when ours cannot draw.
+bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[],
+                    const ResetFound *found);

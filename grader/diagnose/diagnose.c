@@ -4,6 +4,7 @@
 
 #include "diagnose/reset.h"
 #include "diagnose/swap.h"
+#include "diagnose/error_view.h"
 #include "diagnose/wording.h"
 #include "exam/exam_matrix.h"
 #include "scene/check.h"
@@ -92,7 +93,8 @@ static bool find_by_swap(Diagnosis *this, const WorkerClient *student) {
     LabResult *result = this->result;
     if (!swap_find(&result->fault, result, this->exam, student, &this->open, this->failed))
         return false;
-    if (result->fault.count > 0)
+    known.placed = result->fault.count > 0;
+    if (known.placed)
         know_fault(&known, &result->fault, this->exam->rubric);
     else
         know_all(&known, this);
@@ -108,10 +110,7 @@ static bool find_by_reset(Diagnosis *this, const WorkerClient *student, ResetFou
         any = any || found->known.among[t];
     if (!any && !found->any)
         know_all(&found->known, this);
-    if (!find_suspects(this, &found->known))
-        return false;
-    reset_note(&result->fault, found, &this->suspects, this->exam->parts);
-    return true;
+    return find_suspects(this, &found->known);
 }
 
 static void describe_size(CheckResult *check, const Variant *variant) {
@@ -138,7 +137,7 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
         snprintf(check->seen, sizeof check->seen, "the picture is that of the lab as it was handed out");
     else
         error_kind(check->seen, sizeof check->seen, &check->yours[check->worst],
-                   &exam->variants[c][check->worst].reference, wording_view(check->check, exam->rubric));
+                   &exam->variants[c][check->worst].reference, error_view_of(check->check, exam->rubric));
 }
 
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {
@@ -178,12 +177,12 @@ static void name_faults(Diagnosis *this) {
         snprintf(this->result->advice, sizeof this->result->advice, "%s", hint);
 }
 
-static bool find_mistake(Diagnosis *this) {
-    return catalogue_find(&this->named, this->result, this->exam, this->failed);
+static bool find_mistake(Diagnosis *this, const ResetFound *found) {
+    return catalogue_find(&this->named, this->result, this->exam, this->failed, found);
 }
 
 // The mistake's name says which task it is; the parts are then those of that task.
-static void narrow_to_named(Diagnosis *this, const ResetFound *found) {
+static void narrow_to_named(Diagnosis *this) {
     const Rubric *rubric = this->exam->rubric;
     const int named[2] = {this->named.first, this->named.second};
     Suspects narrow = {.certain = this->suspects.certain};
@@ -193,10 +192,8 @@ static void narrow_to_named(Diagnosis *this, const ResetFound *found) {
         if (t >= 0 && (i == 0 || t != narrow.tasks[0]))
             narrow.tasks[narrow.count++] = t;
     }
-    if (narrow.count == 0)
-        return;
-    this->suspects = narrow;
-    reset_note(&this->result->fault, found, &this->suspects, this->exam->parts);
+    if (narrow.count > 0)
+        this->suspects = narrow;
 }
 
 static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch search) {
@@ -204,12 +201,14 @@ static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch
     Known known = {0};
     know_all(&known, this);
     if (search == FAULT_BY_PICTURES)
-        return find_suspects(this, &known) && find_mistake(this);
+        return find_suspects(this, &known) && find_mistake(this, NULL);
     if (search == FAULT_BY_SWAP && this->exam->painters)
-        return find_by_swap(this, student) && find_mistake(this);
-    if (!find_by_reset(this, student, &found) || !find_mistake(this))
+        return find_by_swap(this, student) && find_mistake(this, NULL);
+    if (!find_by_reset(this, student, &found) || !find_mistake(this, &found))
         return false;
-    narrow_to_named(this, &found);
+    if (!found.both)
+        narrow_to_named(this);
+    reset_note(&this->result->fault, &found, &this->suspects, this->exam->parts);
     return true;
 }
 

@@ -4,7 +4,7 @@
 
 #include "base/files.h"
 #include "compile/lab_folder.h"
-#include "exam/exam_file.h"
+#include "exam/handed_out.h"
 #include "exam/frame_score.h"
 #include "scene/check.h"
 
@@ -22,7 +22,8 @@ bool mixed_lab_open(MixedLab *lab, const LabResult *result, Exam *exam, const Wo
         file->name = exam->rubric->files[i];
         files_join(path, student->folder, file->name);
         file->text = files_read(path, DERIVE_MAX_FILE);
-        file->ours_text = solved ? lab_folder_source(exam->rubric, i, *solved) : exam_file_skeleton(exam->rubric, i);
+        file->ours_text =
+            solved ? lab_folder_source(exam->rubric, i, *solved) : handed_out_text(exam->rubric, i);
         if (!file->text || !file->ours_text)
             return false;
         functions_split(&file->theirs, file->text);

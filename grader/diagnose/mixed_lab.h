@@ -37,6 +37,6 @@ int mixed_lab_try(const MixedLab *lab);
 // Takes what the lab draws in the worst variant of check c; `picture` is valid until it returns.
 typedef void MixedJudge(void *context, int c, const Image *picture, const FrameFacts *facts);
 
-// Draws the failed checks as the files are chosen now. False when that does not compile, or not all of them were
-// drawn.
+// Draws the failed checks as the files are chosen now. False when that does not compile, or not all of them
+// were drawn.
 bool mixed_lab_draw(const MixedLab *lab, MixedJudge *judge, void *context);

@@ -1,5 +1,5 @@
-// Draws the submission with one part after the other as it was handed out; the parts with which the rest draws
-// right can have the fault, and the tasks that are done in them.
+// Draws the submission with one part after the other as it was handed out; the parts with which the rest
+// draws right can have the fault, and the tasks that are done in them.
 #include "diagnose/reset.h"
 
 #include "diagnose/mixed_lab.h"
@@ -19,7 +19,7 @@ static const double BUDGET = 2.5, COST_OF_C = 0.16, COST_OF_SHADERS = 0.08, COST
 static const double REST = 0.05;
 
 typedef struct Trial {
-    bool tried; // and drawn, by theirs and by ours
+    bool tried;                    // and drawn, by theirs and by ours
     bool right[RUBRIC_MAX_CHECKS]; // the rest draws what it should
     int weight;                    // the largest is tried first
 } Trial;
@@ -111,8 +111,8 @@ static void try_part(ResetSearch *search, int p) {
         file->choice.names[file->choice.count++] = part->function;
     else
         file->choice.outside = true;
-    search->spent += (is_of_c(file->name) ? COST_OF_C : COST_OF_SHADERS) +
-                     COST_OF_FRAME * search->lab.failed_count;
+    search->spent +=
+        (is_of_c(file->name) ? COST_OF_C : COST_OF_SHADERS) + COST_OF_FRAME * search->lab.failed_count;
     if (!mixed_lab_draw(&search->lab, note_check, search))
         search->trials[p].tried = false;
     *file = before;
@@ -164,6 +164,28 @@ static bool repairs(ResetSearch *search, int p) {
     return true;
 }
 
+static bool explains_with(const ResetSearch *search, int p, int q) {
+    for (int c = 0; c < search->lab.result->check_count; c++)
+        if (search->lab.failed[c] && !is_right(search, p, c) && !is_right(search, q, c))
+            return false;
+    return true;
+}
+
+// Where no part alone explains all: two faults that show in different checks, when just one pair does.
+static void find_pair(ResetFound *found, const ResetSearch *search) {
+    int pairs = 0, first = -1, second = -1;
+    for (int p = 0; p < search->parts->count; p++)
+        for (int q = p + 1; q < search->parts->count; q++)
+            if (explains_with(search, p, q)) {
+                pairs++;
+                first = p;
+                second = q;
+            }
+    found->both = pairs == 1;
+    if (found->both)
+        found->parts[first] = found->parts[second] = found->any = true;
+}
+
 static void find_candidates(ResetFound *found, ResetSearch *search) {
     bool proved = false;
     for (int p = 0; p < search->parts->count; p++)
@@ -180,57 +202,44 @@ static void find_candidates(ResetFound *found, ResetSearch *search) {
     }
 }
 
-// Would it be by chance that another candidate hides a fault of p, too?
-static bool is_coincidence(const ResetFound *found, ResetSearch *search, int p) {
-    for (int q = 0; q < search->parts->count; q++)
-        for (int c = 0; q != p && found->parts[q] && c < search->lab.result->check_count; c++)
-            if (search->lab.failed[c] && exam_hidden(search->exam, q, p, c) == EXAM_SEEN)
-                return true;
-    return false;
+// In how many failed checks would it be by chance that another candidate hides a fault of p, too?
+static int count_chances(const ResetFound *found, ResetSearch *search, int p) {
+    int count = 0;
+    for (int c = 0; c < search->lab.result->check_count; c++) {
+        bool chance = false;
+        for (int q = 0; q < search->parts->count && search->lab.failed[c]; q++)
+            chance = chance || (q != p && found->parts[q] && exam_hidden(search->exam, q, p, c) == EXAM_SEEN);
+        count += chance;
+    }
+    return count;
 }
 
 static void know_tasks(ResetFound *found, ResetSearch *search) {
     const Rubric *rubric = search->parts->rubric;
+    found->known.placed = found->any;
     for (int t = 0; t < rubric->hint_count; t++) {
-        bool by_chance = true;
+        int fewest = RUBRIC_MAX_CHECKS;
         for (int p = 0; p < search->parts->count; p++) {
-            if (!parts_have_task(search->parts, p, rubric->hints[t].task))
+            if (!(found->parts[p] || found->unknown[p]) ||
+                !parts_have_task(search->parts, p, rubric->hints[t].task))
                 continue;
-            found->known.among[t] = found->known.among[t] || found->parts[p] || found->unknown[p];
-            by_chance = by_chance && found->parts[p] && is_coincidence(found, search, p);
+            const int chances = found->parts[p] && !found->both ? count_chances(found, search, p) : 0;
+            found->known.among[t] = true;
+            fewest = chances < fewest ? chances : fewest;
         }
-        found->known.by_chance[t] = found->any && by_chance;
+        found->known.by_chance[t] = fewest < RUBRIC_MAX_CHECKS ? fewest : 0;
     }
 }
 
-#include <stdlib.h>
-static void debug(const ResetFound *found, ResetSearch *search) {
-    if (!getenv("KD")) return;
-    for (int p = 0; p < search->parts->count; p++) {
-        if (!may_have_fault(search,p)) continue;
-        fprintf(stderr, "part %s:%s tried %d cand %d  ", search->parts->rubric->files[search->parts->list[p].file], search->parts->list[p].function, search->trials[p].tried, found->parts[p]);
-        for (int c = 0; c < search->lab.result->check_count; c++)
-            fputc(!search->lab.failed[c] ? '-' : search->trials[p].right[c] ? 'R' : 'x', stderr);
-        for (int q = 0; q < search->parts->count; q++) if (q!=p && found->parts[q] && found->parts[p]) {
-            fprintf(stderr, " [hides %s:", search->parts->list[q].function);
-            for (int c = 0; c < search->lab.result->check_count; c++) if (search->lab.failed[c]) fputc("?.s"[exam_hidden(search->exam,p,q,c)],stderr);
-            fprintf(stderr,"]");
-        }
-        fputc('\n',stderr);
-    }
-    for (int t = 0; t < search->parts->rubric->hint_count; t++) fprintf(stderr, "task %s among %d against %d\n", search->parts->rubric->hints[t].task, found->known.among[t], found->known.by_chance[t]);
-}
-
-static void note_part(Fault *fault, const Parts *parts, int p) {
+void reset_part(FaultPart *part, const Parts *parts, int p) {
     const Rubric *rubric = parts->rubric;
-    FaultPart *noted = &fault->parts[fault->count++];
     int count = 0;
-    *noted = (FaultPart){.file = rubric->files[parts->list[p].file], .whole = parts->list[p].whole};
-    snprintf(noted->function, sizeof noted->function, "%s", parts->list[p].function);
-    snprintf(noted->ours, sizeof noted->ours, "%s", parts->list[p].function);
+    *part = (FaultPart){.file = rubric->files[parts->list[p].file], .whole = parts->list[p].whole};
+    snprintf(part->function, sizeof part->function, "%s", parts->list[p].function);
+    snprintf(part->ours, sizeof part->ours, "%s", parts->list[p].function);
     for (int t = 0; t < rubric->hint_count && count < FAULT_TASKS; t++)
         if (parts_have_task(parts, p, rubric->hints[t].task))
-            noted->tasks[count++] = rubric->hints[t].task;
+            part->tasks[count++] = rubric->hints[t].task;
 }
 
 static bool has_suspect(const Parts *parts, int p, const Suspects *suspects) {
@@ -240,19 +249,23 @@ static bool has_suspect(const Parts *parts, int p, const Suspects *suspects) {
     return false;
 }
 
+static bool is_meant(const ResetFound *found, const Suspects *suspects, const Parts *parts, int p) {
+    return found->both || suspects->count == 0 || has_suspect(parts, p, suspects);
+}
+
 void reset_note(Fault *fault, const ResetFound *found, const Suspects *suspects, const Parts *parts) {
     int count = 0;
     *fault = (Fault){.reset = true};
     for (int p = 0; p < parts->count; p++) {
-        const bool meant = suspects->count == 0 || has_suspect(parts, p, suspects);
+        const bool meant = is_meant(found, suspects, parts, p);
         if (found->unknown[p] && suspects->count > 0 && meant) // nothing is proved of it
             return;
         count += found->parts[p] && meant;
     }
     for (int p = 0; p < parts->count && count <= FAULT_PARTS; p++)
-        if (found->parts[p] && (suspects->count == 0 || has_suspect(parts, p, suspects)))
-            note_part(fault, parts, p);
-    fault->either = fault->count > 1;
+        if (found->parts[p] && is_meant(found, suspects, parts, p))
+            reset_part(&fault->parts[fault->count++], parts, p);
+    fault->either = fault->count > 1 && !found->both;
     fault->failed = fault->repaired = found->failed;
     fault->stopped = found->stopped;
 }
@@ -270,8 +283,17 @@ bool reset_find(ResetFound *found, const LabResult *result, Exam *exam, const Wo
     if (ok && search.lab.failed_count > 0) {
         try_parts(&search);
         find_candidates(found, &search);
+        if (!found->any)
+            find_pair(found, &search);
         know_tasks(found, &search);
-        debug(found, &search);
+        if (getenv("KD"))
+            for (int p = 0; p < search.parts->count; p++) {
+                fprintf(stderr, "part %s tried %d cand %d unk %d ", search.parts->list[p].function,
+                        search.trials[p].tried, found->parts[p], found->unknown[p]);
+                for (int c = 0; c < result->check_count; c++)
+                    fputc(!search.lab.failed[c] ? '-' : search.trials[p].right[c] ? 'R' : 'x', stderr);
+                fputc('\n', stderr);
+            }
     }
     found->failed = search.lab.failed_count;
     found->stopped = search.stopped;

@@ -5,16 +5,17 @@
 
 #include <string.h>
 
-// What speaks against a task. One that is not done shows in more checks than one that is done nearly right, so a
-// check that passes says less against it than against a mistake.
+// What speaks against a task. One that is not done shows in more checks than one that is done nearly right,
+// so a check that passes says less against it than against a mistake.
 enum {
     MISTAKE_MISFITS = 2,
     UNDONE_FAILS = 1,  // without the task the check fails, which passed here
-    UNDONE_PASSES = 2, // ... the other way round
-    BY_CHANCE = 2,
+    UNDONE_PASSES = 2, // ... the other way round; where the place is known, a fault may just do too much
+    UNDONE_PASSES_PLACED = 1,
+    BY_CHANCE = 2, // as many checks count one
     OWN_CHECK = 2, // speaks for it
     MOST_OWN = 2,  // checks that count so
-    MARGIN = 2     // what is this near to the best may be it as well
+    MARGIN = 1     // what is this near to the best may be it as well
 };
 
 typedef struct Evidence {
@@ -31,8 +32,8 @@ typedef struct Costs {
 } Costs;
 
 // Weighs which checks fail here against which of them fail so. False when ours cannot draw.
-static bool compare(Evidence *evidence, const LabResult *result, Exam *exam, const bool failed[], Entry *entry,
-                    int number, Costs costs) {
+static bool compare(Evidence *evidence, const LabResult *result, Exam *exam, const bool failed[],
+                    Entry *entry, int number, Costs costs) {
     *evidence = (Evidence){0};
     for (int c = 0; c < result->check_count; c++) {
         if (!failed[c] && !result->checks[c].passed)
@@ -40,7 +41,7 @@ static bool compare(Evidence *evidence, const LabResult *result, Exam *exam, con
         const ExamEntry so = entry(exam, number, c);
         if (so == EXAM_UNKNOWN && exam->painters)
             return false;
-        evidence->weight += so == EXAM_FAILS && !failed[c]  ? costs.fails
+        evidence->weight += so == EXAM_FAILS && !failed[c]   ? costs.fails
                             : so == EXAM_PASSES && failed[c] ? costs.passes
                                                              : 0;
         evidence->explains = evidence->explains || (so == EXAM_FAILS && failed[c]);
@@ -57,10 +58,12 @@ static void take_better(Evidence *evidence, const Evidence *mistake) {
     }
 }
 
-static bool weigh(Evidence *evidence, int t, const LabResult *result, Exam *exam, const bool failed[]) {
+static bool weigh(Evidence *evidence, int t, const LabResult *result, Exam *exam, const bool failed[],
+                  const Known *known) {
     const Rubric *rubric = exam->rubric;
     const char *task = rubric->hints[t].task;
-    if (!compare(evidence, result, exam, failed, exam_without_task, t, (Costs){UNDONE_FAILS, UNDONE_PASSES}))
+    const Costs undone = {UNDONE_FAILS, known->placed ? UNDONE_PASSES_PLACED : UNDONE_PASSES};
+    if (!compare(evidence, result, exam, failed, exam_without_task, t, undone))
         return false;
     for (int m = 0; m < rubric->mistake_count && !evidence->certain; m++) {
         Evidence mistake;
@@ -74,7 +77,7 @@ static bool weigh(Evidence *evidence, int t, const LabResult *result, Exam *exam
     int own = 0;
     for (int c = 0; c < result->check_count && own < MOST_OWN; c++)
         own += failed[c] && strcmp(result->checks[c].check->task, task) == 0;
-    evidence->weight -= own * OWN_CHECK;
+    evidence->weight += (known->by_chance[t] + BY_CHANCE - 1) / BY_CHANCE - own * OWN_CHECK;
     return true;
 }
 
@@ -95,9 +98,8 @@ bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, cons
     for (int t = 0; t < exam->rubric->hint_count; t++) {
         if (!known->among[t])
             continue;
-        if (!weigh(&evidence, t, result, exam, failed))
+        if (!weigh(&evidence, t, result, exam, failed, known))
             return false;
-        evidence.weight += known->by_chance[t] ? BY_CHANCE : 0;
         if (evidence.explains)
             insert(suspects, sorted, t, &evidence);
     }

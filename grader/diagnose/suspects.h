@@ -14,13 +14,14 @@ typedef struct Suspects {
 
 // What is known of the tasks, by rubric_task_index.
 typedef struct Known {
-    bool among[EXAM_MAX_TASKS];     // those in question
-    bool by_chance[EXAM_MAX_TASKS]; // a fault there would be seen elsewhere, but by chance
+    bool among[EXAM_MAX_TASKS];    // those in question
+    int by_chance[EXAM_MAX_TASKS]; // checks in which another part hides a fault there but by chance
+    bool placed;                   // the parts with the fault are known, and the tasks are those in them
 } Known;
 
 // Of the tasks in question those that fit best: of which the task undone, or a known mistake in it, fails the
-// checks in `failed` and no others, but for the fewest; and with them those that fit nearly as well, since a fault
-// that nobody knows yet may fail another check than those. That failed checks are about a task speaks for it. False
-// with a message when ours cannot draw.
+// checks in `failed` and no others, but for the fewest; and with them those that fit nearly as well, since a
+// fault that nobody knows yet may fail another check than those. That failed checks are about a task speaks
+// for it. False with a message when ours cannot draw.
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
                    const Known *known);

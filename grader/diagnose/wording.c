@@ -1,11 +1,9 @@
 // The sentences of a diagnosis, each in one function.
 #include "diagnose/wording.h"
 
-#include "protocol/protocol.h"
 #include "scene/check.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static void add_part(char *text, size_t size, const FaultPart *part) {
@@ -41,11 +39,12 @@ static void add_tasks(char *text, size_t size, const Suspects *suspects, const R
 // "with that as it was handed out, the rest draws right", "... in 3 of 5 failed checks"
 static void add_reset_proof(char *text, size_t size, const Fault *fault) {
     check_append(text, size, "with %s as handed out, the rest draws as it should",
-                 fault->either ? fault->count > 2 ? "any of them" : "either"
+                 fault->either      ? fault->count > 2 ? "any of them" : "either"
                  : fault->count > 1 ? "them"
                                     : "it");
     if (fault->repaired < fault->failed)
-        check_append(text, size, " in %d of %d failed checks, so this is not all", fault->repaired, fault->failed);
+        check_append(text, size, " in %d of %d failed checks, so this is not all", fault->repaired,
+                     fault->failed);
 }
 
 // "all checks pass", "3 of 5 failed checks pass"
@@ -143,11 +142,4 @@ void wording_summary(LabResult *result, const char *mistake, const Suspects *sus
                      suspects->count > 1 ? "them" : "it");
     if (!mistake)
         add_hint(result->advice, sizeof result->advice, result, suspects, rubric);
-}
-
-ErrorView wording_view(const Check *check, const Rubric *rubric) {
-    const bool shadows = atoi(rubric->id) > 2;
-    if (shadows && strcmp(check->view, VIEW_PICTURE) == 0)
-        return ERROR_VIEW_SHADED;
-    return shadows && strcmp(check->view, VIEW_VISIBILITY) == 0 ? ERROR_VIEW_VISIBILITY : ERROR_VIEW_VALUES;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "diagnose/catalogue.h"
-#include "score/error_kind.h"
 
 // "in `at_infinity` (volume.geom)", with several parts "in ... and in ...".
 void wording_place(char *text, size_t size, const Fault *fault);
@@ -19,7 +18,3 @@ void wording_summary(LabResult *result, const char *mistake, const Suspects *sus
 
 // The names of the mistakes, "A" or "A, or B".
 void wording_names(char *text, size_t size, const Named *named, const Rubric *rubric);
-
-// What the check's view can show. The labs before the first shadow map have no shadows; stages are maps, atlases
-// and counts.
-ErrorView wording_view(const Check *check, const Rubric *rubric);

@@ -69,8 +69,8 @@ const Image *exam_partial(Exam *exam, int t, int c, int n);
 // The same of the a-th alternative whose other pictures are right, too ("also right" in the rubric).
 const Image *exam_also(Exam *exam, int a, int c, int n);
 
-// Draws a late picture of the variant and keeps it. NULL with a message when there is no painter or ours cannot
-// draw. For this room, as is exam_shown: the picture of a late one that is known.
+// Draws a late picture of the variant and keeps it. NULL with a message when there is no painter or ours
+// cannot draw. For this room, as is exam_shown: the picture of a late one that is known.
 const Image *exam_shown(const LatePicture *late, const Variant *variant);
 const Image *exam_late(LatePicture *late, const Exam *exam, const Variant *variant, const Painter *painter);
 

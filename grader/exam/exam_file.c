@@ -4,10 +4,10 @@
 
 #include "scene/check.h"
 #include "base/places.h"
-#include "compile/lab_folder.h"
 #include "exam/exam_matrix.h"
 #include "exam/exam_reset.h"
 #include "exam/exam_facts.h"
+#include "exam/handed_out.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -18,14 +18,10 @@
 // A check's frames lie one below the other in one PNG: of each variant the reference, and then what differs
 // from it, as the exclusive or with the reference, which is mostly 0. Other frames refer to theirs by its
 // distance from the reference, 0 for the reference itself.
-enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + EXAM_MAX_PARTS + 3, MAX_SEEDS = 10000 };
-
-bool exam_file_only(void) {
-    char solutions[FILES_PATH], recorded[FILES_PATH];
-    places_path(solutions, "solutions");
-    places_path(recorded, "grader/recorded/seeds.json");
-    return !files_exists(solutions) && files_exists(recorded);
-}
+enum {
+    MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + EXAM_MAX_PARTS + 3,
+    MAX_SEEDS = 10000
+};
 
 static bool take_seed(const JsonPlace *file, const json_t *seeds, size_t i, uint64_t *seed) {
     const char *text = json_string_value(json_array_get(seeds, i));
@@ -42,7 +38,7 @@ bool exam_file_draw_seed(uint64_t *seed) {
     char path[FILES_PATH];
     ssize_t drawn = getrandom(seed, sizeof *seed, 0);
     INVARIANT(drawn == sizeof *seed);
-    if (!exam_file_only())
+    if (!handed_out_alone())
         return true;
     places_path(path, "grader/recorded");
     const JsonPlace file = {.folder = path, .file = "seeds.json"};
@@ -52,33 +48,6 @@ bool exam_file_draw_seed(uint64_t *seed) {
     ok = ok && take_seed(&file, seeds, (size_t)(*seed % json_array_size(seeds)), seed);
     json_decref(seeds);
     return ok;
-}
-
-// Where a file that students get lies: as they get it, where there are no solutions.
-static void place_handed_out(char path[FILES_PATH], const Rubric *rubric, const char *name) {
-    char folder[FILES_PATH];
-    snprintf(folder, sizeof folder, "%s", rubric->folder);
-    if (exam_file_only()) {
-        places_path(path, "grader/recorded/labs");
-        files_join(folder, path, strrchr(rubric->folder, '/') + 1);
-    }
-    files_join(path, folder, name);
-}
-
-bool exam_file_is_handed_out(const Rubric *rubric, const char *name) {
-    char path[FILES_PATH];
-    if (strlen(name) > 200)
-        return false;
-    place_handed_out(path, rubric, name);
-    return files_exists(path);
-}
-
-char *exam_file_skeleton(const Rubric *rubric, int i) {
-    char path[FILES_PATH];
-    if (!exam_file_only())
-        return lab_folder_source(rubric, i, (Solved){SOLVED_NONE, NULL});
-    place_handed_out(path, rubric, rubric->files[i]);
-    return files_read(path, DERIVE_MAX_FILE);
 }
 
 static void place(char path[FILES_PATH], const char *folder, uint64_t seed, const char *end) {

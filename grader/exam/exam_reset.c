@@ -1,6 +1,6 @@
 #include "exam/exam_reset.h"
 
-#include "exam/exam_file.h"
+#include "exam/handed_out.h"
 #include "scene/check.h"
 #include "score/score.h"
 
@@ -16,7 +16,7 @@ const Parts *exam_parts(Exam *exam) {
     if (exam->parts)
         return exam->parts;
     for (int i = 0; ok && i < exam->rubric->file_count; i++)
-        ok = (texts[i] = exam_file_skeleton(exam->rubric, i)) != NULL;
+        ok = (texts[i] = handed_out_text(exam->rubric, i)) != NULL;
     if (!ok) {
         for (int i = 0; i < RUBRIC_MAX_FILES; i++)
             free(texts[i]);
@@ -103,8 +103,7 @@ bool exam_hidden_unpack(Exam *exam, json_t *list) {
     const Parts *parts = exam_parts(exam);
     for (int p = 0; parts && p < parts->count; p++)
         for (int q = 0; q < parts->count; q++) {
-            const char *text =
-                json_string_value(json_array_get(json_array_get(list, (size_t)p), (size_t)q));
+            const char *text = json_string_value(json_array_get(json_array_get(list, (size_t)p), (size_t)q));
             if (!text || strlen(text) != (size_t)exam->rubric->check_count)
                 return false;
             for (int c = 0; text[c]; c++)

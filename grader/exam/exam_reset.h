@@ -1,5 +1,5 @@
-// Our lab in which a part is as it was handed out: what a lab draws whose rest is right, whatever its own part
-// draws.
+// Our lab in which a part is as it was handed out: what a lab draws whose rest is right, whatever its own
+// part draws.
 #pragma once
 
 #include "exam/exam.h"
@@ -14,8 +14,8 @@ const Parts *exam_parts(Exam *exam);
 // exam->resets. NULL with a message when ours cannot draw it.
 const Image *exam_reset(Exam *exam, int p, int c, int n);
 
-// With part p as it was handed out, can be seen in check c whether part q is, too? EXAM_HIDDEN: no. Asked in the
-// check's first variant.
+// With part p as it was handed out, can be seen in check c whether part q is, too? EXAM_HIDDEN: no. Asked in
+// the check's first variant.
 ExamHidden exam_hidden(Exam *exam, int p, int q, int c);
 
 // All of exam_hidden as JSON: of each part a list with a text for each other part, a letter a check.
