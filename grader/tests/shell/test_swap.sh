@@ -60,7 +60,7 @@ expect "--no-swap" 1 "\`draw_volumes\` (lab.c)" "as handed out, the rest draws a
 
 # Two faults in two functions that show in different checks.
 folder=$(resolve both 05)
-sed -i 's/vec2(x, y) \* texel/vec2(x, y) * 1.7 * texel/; s/f = place - corner/f = 0.5 * (place - corner)/' "$folder/shadow.frag"
+sed -i 's/xy + vec2(x, y) \* texel)/xy + 1.7 * vec2(x, y) * texel)/; s/f = place - corner/f = 0.5 * (place - corner)/' "$folder/shadow.frag"
 grades --no-swap --lab 05 --seed 1 --trusted "$folder"
 expect "two faults without our solution" 1 "there are faults in \`by_hand\` (shadow.frag) and in \`gather\` (shadow.frag)"
 finish
