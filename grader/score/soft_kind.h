@@ -1,0 +1,11 @@
+// Kinds of error in which only the sharpness of a picture is wrong. No GL.
+#pragma once
+
+#include "score/error_kind.h"
+
+// Blurred, or a penumbra that is too wide or too narrow: one picture is the other one, blurred by some box.
+// NULL when it is none of these. Constants, in words that fit the view.
+const char *soft_kind(const Image *yours, const Image *reference, ErrorView view);
+
+// Is it right on the whole, but with edges in other steps, coarser or finer? NULL when not.
+const char *coarse_kind(const Image *yours, const Image *reference);
