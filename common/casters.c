@@ -1,7 +1,6 @@
 #include "casters.h"
 
 #include "model.h"
-#include "scene/silhouette.h"
 
 #include <stdbool.h>
 
@@ -12,8 +11,6 @@ typedef struct CasterModel {
 } CasterModel;
 
 static CasterModel casters[SHAPE_COUNT];
-static Volume volume; // its memory serves all frames
-static GLuint volume_array, volume_buffer;
 
 static bool create(CasterModel *caster, Shape shape) {
     if (!mesh_create(&caster->mesh, shape) || !adjacency_create(&caster->adjacency, &caster->mesh))
@@ -33,18 +30,12 @@ bool casters_create(void) {
     for (int shape = 0; shape < SHAPE_COUNT; shape++)
         if (!create(&casters[shape], (Shape)shape))
             return false;
-    glGenVertexArrays(1, &volume_array);
-    glGenBuffers(1, &volume_buffer);
     return true;
 }
 
 void casters_destroy(void) {
     for (int shape = 0; shape < SHAPE_COUNT; shape++)
         destroy(&casters[shape]);
-    silhouette_destroy(&volume);
-    glDeleteVertexArrays(1, &volume_array);
-    glDeleteBuffers(1, &volume_buffer);
-    volume_array = volume_buffer = 0;
 }
 
 void casters_draw(const Frame *frame, const Program *program) {
@@ -60,26 +51,10 @@ void casters_draw(const Frame *frame, const Program *program) {
     glBindVertexArray(0);
 }
 
-static void draw_volume(void) {
-    glBindVertexArray(volume_array);
-    glBindBuffer(GL_ARRAY_BUFFER, volume_buffer);
-    glBufferData(GL_ARRAY_BUFFER, volume.count * (GLsizeiptr)sizeof *volume.corners, volume.corners,
-                 GL_STREAM_DRAW);
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, NULL);
-    glDrawArrays(GL_TRIANGLES, 0, volume.count);
-    glBindVertexArray(0);
+const Mesh *casters_mesh(Shape shape) {
+    return &casters[shape].mesh;
 }
 
-void casters_draw_volumes(const Frame *frame) {
-    volume.count = 0;
-    for (int i = 0; i < frame->scene->object_count; i++) {
-        const Object *object = &frame->scene->objects[i];
-        const CasterModel *caster = &casters[object->shape];
-        if (caster->adjacency.open_edges == 0 &&
-            !silhouette_add(&volume, &caster->mesh, &caster->adjacency, object->world_from_object,
-                            &frame->scene->lights[0]))
-            return;
-    }
-    draw_volume();
+const Adjacency *casters_adjacency(Shape shape) {
+    return &casters[shape].adjacency;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "draw.h"
+#include "scene/adjacency.h"
 
 #include <stdbool.h>
 
@@ -16,6 +17,7 @@ void casters_destroy(void);
 // u_world_from_object. The vertices are those of model.h.
 void casters_draw(const Frame *frame, const Program *program);
 
-// Makes the volumes of light 0 on the CPU (silhouette.h) and draws them as GL_TRIANGLES with the program that
-// draw_begin has made ready; its vertex shader is volume.vert.
-void casters_draw_volumes(const Frame *frame);
+// A shape's mesh and its triangles with their neighbours, of all shapes, open ones too; valid until
+// casters_destroy.
+const Mesh *casters_mesh(Shape shape);
+const Adjacency *casters_adjacency(Shape shape);

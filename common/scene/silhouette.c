@@ -1,3 +1,5 @@
+// Makes a shadow volume's triangles: the neighbours of each triangle that looks to the light say where the
+// sides stand.
 #include "scene/silhouette.h"
 
 #include "scene/check.h"
@@ -6,10 +8,12 @@
 
 enum { MOST = 24 }; // corners that one triangle of the mesh adds: two caps and three sides
 
+// In the object's space, where numbers are small wherever the object stands. A flat face that looks to the
+// light there does so in the world.
 typedef struct Caster {
     const Mesh *mesh;
-    const Light *light;
-    mat4s world_from_object;
+    vec3s light; // where a lamp is, or the direction to a sun
+    bool parallel;
 } Caster;
 
 static bool reserve(Volume *volume) {
@@ -24,13 +28,19 @@ static bool reserve(Volume *volume) {
     return true;
 }
 
+static Caster make_caster(const Mesh *mesh, mat4s world_from_object, const Light *light) {
+    bool parallel = light->kind == LIGHT_DIRECTIONAL;
+    vec3s from = parallel ? light->target : glms_vec3(world_from_object.col[3]);
+    mat3s object_from_world = glms_mat3_inv(glms_mat4_pick3(world_from_object));
+    return (Caster){mesh, glms_mat3_mulv(object_from_world, glms_vec3_sub(light->position, from)), parallel};
+}
+
 static vec3s place(const Caster *caster, uint32_t vertex) {
-    return glms_mat4_mulv3(caster->world_from_object, caster->mesh->vertices[vertex].position, 1);
+    return caster->mesh->vertices[vertex].position;
 }
 
 static vec3s to_light(const Caster *caster, vec3s p) {
-    vec3s from = caster->light->kind == LIGHT_DIRECTIONAL ? caster->light->target : p;
-    return glms_vec3_sub(caster->light->position, from);
+    return caster->parallel ? caster->light : glms_vec3_sub(caster->light, p);
 }
 
 // Of the triangle's corners in the order of the mesh's numbers, whoever asks: at grazing light rounding
@@ -74,7 +84,7 @@ static void add_side(Volume *volume, const Caster *caster, uint32_t a, uint32_t 
 
 bool silhouette_add(Volume *volume, const Mesh *mesh, const Adjacency *adjacency, mat4s world_from_object,
                     const Light *light) {
-    const Caster caster = {mesh, light, world_from_object};
+    const Caster caster = make_caster(mesh, world_from_object, light);
     INVARIANT(adjacency->open_edges == 0);
     for (int i = 0; i < adjacency->index_count; i += 6) {
         const uint32_t *corners = adjacency->indices + i;
