@@ -1,4 +1,4 @@
-// From the silhouette to a closed volume: sides and caps.
+// From the silhouette to a closed volume: sides and caps. And is the eye in it?
 #pragma once
 
 #include "edges.h"
@@ -28,4 +28,21 @@ static void add_caps(Shell *shell, const Caster *caster, int triangle, float str
     // TODO(9.6): the near cap is the triangle itself; the far cap is the same at its far end, and looks the
     // other way. Look up: corner in caster.h.
     UNUSED(shell, caster, triangle, stretch);
+}
+
+// A lit triangle alone throws a pyramid of shadow without its tip; the volume of a caster is all of them
+// together. Is the eye, which is at (0, 0, 0), in the shadow of this lit triangle alone?
+static bool is_shaded_by(const Caster *caster, int triangle, float stretch) {
+    // TODO(9.7): it is, if it lies on the inner side of all five faces: three sides, near cap, far cap. The
+    // handout has the sign for each.
+    UNUSED(caster, triangle, stretch);
+    return false;
+}
+
+// The number of this caster's volumes that hold the eye: a caster that is not convex can have several.
+static int count_around_eye(const Caster *caster, float stretch) {
+    int count = 0;
+    // TODO(9.7), second part: how many of its lit triangles shade the eye?
+    UNUSED(caster, stretch, is_shaded_by);
+    return count;
 }

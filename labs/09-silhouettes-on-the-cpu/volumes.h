@@ -1,7 +1,7 @@
 // Given: the volumes of a frame's casters, measured from the eye.
 #pragma once
 
-#include "around_eye.h"
+#include "extrude.h"
 
 enum { KNOB_METHOD, KNOB_SILHOUETTES, KNOB_STRETCH };
 enum { FROM_ZERO, FROM_EYE, Z_FAIL };
@@ -10,7 +10,7 @@ enum { PROGRAM_LIGHT, PROGRAM_VOLUME, PROGRAM_CONSTANT };
 static struct {
     Caster casters[SHAPE_COUNT][2]; // as they are, and turned inside out
     Edge *edges;                    // room for those of one caster
-    Shell lit, fins, sides, caps;
+    Shell sides, caps;
     int around_eye, of_object[SCENE_MAX_OBJECTS]; // volumes that hold the eye: of all objects, and of each
     GLuint array, buffer;
 } volumes;
@@ -20,6 +20,8 @@ static bool volumes_create(void) {
     int most = 0;
     for (int i = 0; ok && i < 2 * SHAPE_COUNT; i++) {
         Caster *caster = &volumes.casters[i / 2][i % 2];
+        if (i % 2 && casters_adjacency((Shape)(i / 2))->open_edges == 0)
+            continue; // only sheets are turned
         ok = caster_create(caster, (Shape)(i / 2), i % 2);
         most = ok && caster->triangle_count > most ? caster->triangle_count : most;
     }
@@ -32,9 +34,8 @@ static bool volumes_create(void) {
 static void volumes_destroy(void) {
     for (int i = 0; i < 2 * SHAPE_COUNT; i++)
         caster_destroy(&volumes.casters[i / 2][i % 2]);
-    Shell *shells[] = {&volumes.lit, &volumes.fins, &volumes.sides, &volumes.caps};
-    for (int i = 0; i < 4; i++)
-        shell_destroy(shells[i]);
+    shell_destroy(&volumes.sides);
+    shell_destroy(&volumes.caps);
     free(volumes.edges);
     volumes.edges = NULL;
     glDeleteVertexArrays(1, &volumes.array);
@@ -64,45 +65,44 @@ static Caster *place_object(const Object *object, const Light *light) {
     return caster;
 }
 
-// For the stages: the lit triangles, and a fin on each edge of the silhouette.
-static void show_parts(const Caster *caster, const EdgeSet *set) {
-    for (int t = 0; t < caster->triangle_count; t++)
-        if (caster->lit[t])
-            shell_add(&volumes.lit, glms_vec4(corner(caster, t, 0), 1), glms_vec4(corner(caster, t, 1), 1),
-                      glms_vec4(corner(caster, t, 2), 1));
-    for (int i = 0; i < set->count; i++) {
-        vec3s a = caster->places[set->edges[i].a], b = caster->places[set->edges[i].b];
-        vec3s middle = glms_vec3_scale(glms_vec3_add(a, b), 0.5f);
-        vec3s away = glms_vec3_normalize(glms_vec3_negate(to_light(&caster->light, middle)));
-        shell_add(&volumes.fins, glms_vec4(a, 1), glms_vec4(b, 1),
-                  glms_vec4(glms_vec3_muladds(away, 0.3f, middle), 1));
-    }
-}
-
-static void add_volume(const Frame *frame, int object, const Caster *caster, bool show) {
+static EdgeSet find_edges(const Frame *frame, const Caster *caster) {
     EdgeSet set = {.edges = volumes.edges};
-    float stretch = frame->knobs[KNOB_STRETCH];
     if (frame->knobs[KNOB_SILHOUETTES] > 0) {
         find_by_neighbours(&set, caster);
     } else {
         find_by_set(&set, caster);
     }
-    for (int i = 0; i < set.count; i++)
-        add_side(&volumes.sides, caster, set.edges[i], stretch);
-    for (int t = 0; t < caster->triangle_count; t++)
-        if (caster->lit[t])
-            add_caps(&volumes.caps, caster, t, stretch);
-    volumes.of_object[object] = count_around_eye(caster, stretch);
-    volumes.around_eye += volumes.of_object[object];
-    if (show)
-        show_parts(caster, &set);
+    return set;
 }
 
-// Makes the volumes of all objects under light 0; `show`: with the parts for the stages. The frame is one of
-// from_eye.
-static void volumes_make(const Frame *frame, bool show) {
-    volumes.lit.count = volumes.fins.count = volumes.sides.count = volumes.caps.count = volumes.around_eye =
-        0;
-    for (int i = 0; i < frame->scene->object_count; i++)
-        add_volume(frame, i, place_object(&frame->scene->objects[i], &frame->scene->lights[0]), show);
+// Makes the volumes of all objects under light 0. The frame is one of from_eye.
+static void volumes_make(const Frame *frame) {
+    float stretch = frame->knobs[KNOB_STRETCH];
+    volumes.sides.count = volumes.caps.count = volumes.around_eye = 0;
+    for (int i = 0; i < frame->scene->object_count; i++) {
+        const Caster *caster = place_object(&frame->scene->objects[i], &frame->scene->lights[0]);
+        const EdgeSet set = find_edges(frame, caster);
+        for (int k = 0; k < set.count; k++)
+            add_side(&volumes.sides, caster, set.edges[k], stretch);
+        for (int t = 0; t < caster->triangle_count; t++)
+            if (caster->lit[t])
+                add_caps(&volumes.caps, caster, t, stretch);
+        volumes.of_object[i] = count_around_eye(caster, stretch);
+        volumes.around_eye += volumes.of_object[i];
+    }
+}
+
+// Draws the triangles with the program of volume.vert and faces.frag.
+static void shell_draw(const Frame *frame, const Shell *shell) {
+    const Program *program = &frame->programs[PROGRAM_VOLUME];
+    program_set_mat4(program, "u_world_from_object", glms_mat4_identity());
+    draw_begin(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
+    glBindVertexArray(volumes.array);
+    glBindBuffer(GL_ARRAY_BUFFER, volumes.buffer);
+    glBufferData(GL_ARRAY_BUFFER, shell->count * (GLsizeiptr)sizeof *shell->corners, shell->corners,
+                 GL_STREAM_DRAW);
+    glEnableVertexAttribArray(0);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, NULL);
+    glDrawArrays(GL_TRIANGLES, 0, shell->count);
+    glBindVertexArray(0);
 }

@@ -1,8 +1,8 @@
 // Lab 09: silhouettes on the CPU. Find each caster's silhouette, make its shadow volume, and count from the
 // eye.
-#include "draw_volumes.h"
 #include "frame_view.h"
 #include "lab.h"
+#include "stages.h"
 
 static struct {
     FrameView view; // for the stage "stencil counts"
@@ -68,15 +68,15 @@ static void set_stencil(int method) {
 static void count_volumes(const Frame *frame) {
     Scene scene;
     const Frame moved = from_eye(frame, &scene);
-    volumes_make(&moved, false);
+    volumes_make(&moved);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0, 16);
     set_stencil((int)frame->knobs[KNOB_METHOD]);
-    shell_draw(&moved, &volumes.sides, vec3_make(0, 0, 0));
-    shell_draw(&moved, &volumes.caps, vec3_make(0, 0, 0));
+    shell_draw(&moved, &volumes.sides);
+    shell_draw(&moved, &volumes.caps);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
@@ -95,13 +95,13 @@ static void show_stages(const Frame *frame) {
     Scene scene;
     const Frame moved = from_eye(frame, &scene);
     frame_view_draw(&state.view, frame, &frame->programs[PROGRAM_CONSTANT]);
-    show_parts_of_volumes(&moved);
+    stages_draw(&moved);
 }
 
 const Lab lab = {
     .title = "Silhouettes on the CPU",
     .programs = {[PROGRAM_LIGHT] = {"scene.vert", "light.frag", NULL},
-                 [PROGRAM_VOLUME] = {"volume.vert", "constant.frag", NULL},
+                 [PROGRAM_VOLUME] = {"volume.vert", "faces.frag", NULL},
                  [PROGRAM_CONSTANT] = {"fullscreen.vert", "constant.frag", NULL}},
     .knobs = {[KNOB_METHOD] = {"method", "", 0, 2, 1, {"z-pass from 0", "z-pass from the eye", "z-fail"}},
               [KNOB_SILHOUETTES] = {"silhouettes", "", 0, 1, 0, {"edge set", "neighbours"}},

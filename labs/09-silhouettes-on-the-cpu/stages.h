@@ -1,24 +1,8 @@
-// Given: drawing the volumes, and the stages that show their parts.
+// Given: the frame as the eye measures it, and the stages, which show the parts of the volumes.
 #pragma once
 
 #include "target.h"
 #include "volumes.h"
-
-static struct { Target lit, silhouette, sides, caps, around_eye; } stages;
-
-static bool stages_create(int width, int height) {
-    Target *targets[] = {&stages.lit, &stages.silhouette, &stages.sides, &stages.caps, &stages.around_eye};
-    bool ok = true;
-    for (int i = 0; ok && i < 5; i++)
-        ok = target_create(targets[i], width, height, GL_RGBA8, 0);
-    return ok;
-}
-
-static void stages_destroy(void) {
-    Target *targets[] = {&stages.lit, &stages.silhouette, &stages.sides, &stages.caps, &stages.around_eye};
-    for (int i = 0; i < 5; i++)
-        target_destroy(targets[i]);
-}
 
 // The frame with its scene moved so that the eye is at (0, 0, 0): what is near has small numbers then,
 // wherever in the world it is, and small numbers round little.
@@ -39,20 +23,49 @@ static Frame from_eye(const Frame *frame, Scene *scene) {
     return moved;
 }
 
-// Draws the triangles with the program of volume.vert, in one colour.
-static void shell_draw(const Frame *frame, const Shell *shell, vec3s color) {
-    const Program *program = &frame->programs[PROGRAM_VOLUME];
-    program_set_vec3(program, "u_constant", color);
-    program_set_mat4(program, "u_world_from_object", glms_mat4_identity());
-    draw_begin(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
-    glBindVertexArray(volumes.array);
-    glBindBuffer(GL_ARRAY_BUFFER, volumes.buffer);
-    glBufferData(GL_ARRAY_BUFFER, shell->count * (GLsizeiptr)sizeof *shell->corners, shell->corners,
-                 GL_STREAM_DRAW);
-    glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, NULL);
-    glDrawArrays(GL_TRIANGLES, 0, shell->count);
-    glBindVertexArray(0);
+static struct {
+    Target lit, silhouette, sides, caps, around_eye;
+    Shell lit_faces, fins;
+} stages;
+
+static bool stages_create(int width, int height) {
+    Target *targets[] = {&stages.lit, &stages.silhouette, &stages.sides, &stages.caps, &stages.around_eye};
+    bool ok = true;
+    for (int i = 0; ok && i < 5; i++)
+        ok = target_create(targets[i], width, height, GL_RGBA8, 0);
+    return ok;
+}
+
+static void stages_destroy(void) {
+    Target *targets[] = {&stages.lit, &stages.silhouette, &stages.sides, &stages.caps, &stages.around_eye};
+    for (int i = 0; i < 5; i++)
+        target_destroy(targets[i]);
+    shell_destroy(&stages.lit_faces);
+    shell_destroy(&stages.fins);
+}
+
+// The lit triangles, and a fin on each edge of the silhouette.
+static void add_parts(const Caster *caster, const EdgeSet *set) {
+    for (int t = 0; t < caster->triangle_count; t++)
+        if (caster->lit[t])
+            shell_add(&stages.lit_faces, glms_vec4(corner(caster, t, 0), 1),
+                      glms_vec4(corner(caster, t, 1), 1), glms_vec4(corner(caster, t, 2), 1));
+    for (int i = 0; i < set->count; i++) {
+        vec3s a = caster->places[set->edges[i].a], b = caster->places[set->edges[i].b];
+        vec3s middle = glms_vec3_scale(glms_vec3_add(a, b), 0.5f);
+        vec3s away = glms_vec3_normalize(glms_vec3_negate(to_light(&caster->light, middle)));
+        shell_add(&stages.fins, glms_vec4(a, 1), glms_vec4(b, 1),
+                  glms_vec4(glms_vec3_muladds(away, 0.3f, middle), 1));
+    }
+}
+
+static void make_parts(const Frame *frame) {
+    stages.lit_faces.count = stages.fins.count = 0;
+    for (int i = 0; i < frame->scene->object_count; i++) {
+        const Caster *caster = place_object(&frame->scene->objects[i], &frame->scene->lights[0]);
+        const EdgeSet set = find_edges(frame, caster);
+        add_parts(caster, &set);
+    }
 }
 
 // All triangles, in front of everything: red those that look to the eye, blue the others.
@@ -60,10 +73,7 @@ static void show_shell(const Frame *frame, const Shell *shell, const Target *tar
     target_bind(target);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    for (int back = 0; back < 2; back++) {
-        glCullFace(back ? GL_FRONT : GL_BACK);
-        shell_draw(frame, shell, vec3_make(back ? 0 : 0.25f, 0.1f, back ? 0.25f : 0));
-    }
+    shell_draw(frame, shell);
 }
 
 // A row for each object, the first at the bottom: as many white bars as volumes of it hold the eye.
@@ -83,15 +93,16 @@ static void show_around_eye(const Frame *frame, const Target *target) {
     glDisable(GL_SCISSOR_TEST);
 }
 
-static void show_parts_of_volumes(const Frame *frame) {
-    volumes_make(frame, true);
+static void stages_draw(const Frame *frame) {
+    make_parts(frame);
     gl_reset();
     glEnable(GL_DEPTH_CLAMP);
     glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    show_shell(frame, &volumes.lit, &stages.lit);
-    show_shell(frame, &volumes.fins, &stages.silhouette);
+    show_shell(frame, &stages.lit_faces, &stages.lit);
+    show_shell(frame, &stages.fins, &stages.silhouette);
     show_shell(frame, &volumes.sides, &stages.sides);
     show_shell(frame, &volumes.caps, &stages.caps);
     show_around_eye(frame, &stages.around_eye);
