@@ -7,3 +7,6 @@
 // draws them as GL_TRIANGLES with the program that draw_begin has made ready; its vertex shader is
 // volume.vert. Sets u_world_from_object.
 void casters_draw_volumes(const Frame *frame);
+
+// The same for the volume of object `i` alone. False for an open shape, which has none: nothing is drawn.
+bool casters_draw_volume(const Frame *frame, int i);

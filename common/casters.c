@@ -11,6 +11,7 @@ typedef struct CasterModel {
 } CasterModel;
 
 static CasterModel casters[SHAPE_COUNT];
+static bool were_clamped;
 
 static bool create(CasterModel *caster, Shape shape) {
     if (!mesh_create(&caster->mesh, shape) || !adjacency_create(&caster->adjacency, &caster->mesh))
@@ -38,7 +39,16 @@ void casters_destroy(void) {
         destroy(&casters[shape]);
 }
 
+void casters_note_clamp(void) {
+    were_clamped = glIsEnabled(GL_DEPTH_CLAMP);
+}
+
+bool casters_were_clamped(void) {
+    return were_clamped;
+}
+
 void casters_draw(const Frame *frame, const Program *program) {
+    casters_note_clamp();
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
         const Model *caster = &casters[object->shape].model;

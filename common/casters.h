@@ -21,3 +21,7 @@ void casters_draw(const Frame *frame, const Program *program);
 // casters_destroy.
 const Mesh *casters_mesh(Shape shape);
 const Adjacency *casters_adjacency(Shape shape);
+
+// Was GL_DEPTH_CLAMP on when they were last drawn, or their volumes? Who draws volumes notes it.
+bool casters_were_clamped(void);
+void casters_note_clamp(void);

@@ -6,7 +6,9 @@ layout(location = 0) in vec4 a_position;
 uniform mat4 u_world_from_object;
 uniform mat4 u_clip_from_world;
 
+out vec4 v_position_world; // the point (x, y, z) / w
+
 void main() {
-    vec4 position_world = u_world_from_object * a_position;
-    gl_Position = u_clip_from_world * position_world;
+    v_position_world = u_world_from_object * a_position;
+    gl_Position = u_clip_from_world * v_position_world;
 }

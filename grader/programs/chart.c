@@ -9,6 +9,7 @@
 #include "study/chart_svg.h"
 #include "study/csv.h"
 #include "study/chart_page.h"
+#include "study/verdict.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -25,6 +26,7 @@ typedef struct ChartCommand {
     bool quick, compare;
     char **compared; // two files
     bool trusted;    // no jail for the submission
+    ContextKind context;
 } ChartCommand;
 
 static const StudyScene *find_scene(const char *name) {
@@ -64,7 +66,9 @@ static const Option options[] = {
     {"submission", 0, "DIR", "its lab NN is charted, too (labs/ or the folder of one lab)", AT(submission),
      option_text},
     {"trusted", 0, NULL, "the submission is my own work: no jail", AT(trusted), option_flag},
-    {"quick", 0, NULL, "small pictures and few frames: under a minute", AT(quick), option_flag},
+    {"context", 0, "C", "osmesa (default): CPU times; egl: times of the GPU that EGL finds", AT(context),
+     option_context},
+    {"quick", 0, NULL, "small pictures and few frames", AT(quick), option_flag},
     {"frames", 0, "N", "of each setting (30; 6 with --quick)", AT(frames), take_frames},
     {"size", 0, "WxH", "640x480 (320x240 with --quick)", AT(size), take_size},
     {"output", 0, "DIR", "default build/study; what is measured there is not measured again", AT(output),
@@ -80,6 +84,8 @@ static bool check(void *settings, const Operands *operands) {
         return check_fail("--compare takes two files");
     if (!command->compare && operands->count > 0)
         return check_fail("\"%s\" is not an option", operands->texts[0]);
+    if (command->submission && command->context == CONTEXT_EGL && !command->trusted)
+        return check_fail("--context egl measures a submission with --trusted only: a jail has no GPU");
     return !command->submission || command->lab[0] ||
            check_fail("--submission needs the --lab that is charted");
 }
@@ -111,7 +117,7 @@ typedef struct GrowingFile {
 } GrowingFile;
 
 typedef struct Output {
-    GrowingFile csv, page, needs;
+    GrowingFile csv, views, page, needs;
     int scenes;
 } Output;
 
@@ -149,7 +155,7 @@ static void report_submission(const SceneFindings *findings, int i) {
 }
 
 static void report(const SceneFindings *findings, FILE *needs) {
-    char need[512];
+    char need[VERDICT_TEXT];
     findings_tell(findings, need, sizeof need);
     printf("%s: %s\n", findings->scene->name, need);
     fprintf(needs, "%s\t%s\n", findings->scene->title, need);
@@ -164,6 +170,7 @@ static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output
     if (!measure_scene(plan, scene, &findings) || !chart_draw(&findings, plan->output))
         return false;
     csv_write(output->csv.out, &findings);
+    csv_views_write(output->views.out, &findings);
     report(&findings, output->needs.out);
     return chart_page_add(output->page.out, plan, &findings, output->scenes++ == 0);
 }
@@ -173,10 +180,14 @@ static bool open_output(StudyPlan *plan, Output *output) {
     files_join(path, plan->output, "frames/");
     if (!files_make_folder(path))
         return false;
+    files_join(path, plan->output, "truth/");
+    if (!files_make_folder(path))
+        return false;
     files_join(path, plan->output, "state");
     if (!measurements_open(&plan->state, path))
         return false;
     return begin_file(&output->csv, plan->output, "chart.csv") &&
+           begin_file(&output->views, plan->output, "views.csv") &&
            begin_file(&output->page, plan->output, "chart.html") &&
            begin_file(&output->needs, plan->output, "needs.txt");
 }
@@ -186,6 +197,7 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
     if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
     csv_head(output.csv.out);
+    csv_views_head(output.views.out);
     for (int i = 0; study_scene(i); i++)
         if (is_wanted(command, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
@@ -193,9 +205,10 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
         return check_fail("no scene of the study has settings of lab %s", command->lab);
     bool ok = chart_page_end(output.page.out);
     ok = end_file(&output.csv) && ok;
+    ok = end_file(&output.views) && ok;
     ok = end_file(&output.needs) && ok;
     ok = end_file(&output.page) && ok;
-    printf("%s: open it in a browser; chart.csv and the pictures SCENE.svg lie beside it\n",
+    printf("%s: open it in a browser; chart.csv, views.csv and the pictures SCENE.svg lie beside it\n",
            output.page.path);
     return ok;
 }
@@ -228,8 +241,9 @@ int main(int count, char **arguments) {
     plan.output = command.output ? command.output : standard;
     plan.size = command.size.width ? command.size
                 : command.quick    ? (MetricsSize){320, 240}
-                                   : (MetricsSize){640, 480};
+                                   : (MetricsSize){STUDY_WIDTH, STUDY_HEIGHT};
     plan.frames = command.frames ? command.frames : command.quick ? 6 : 30;
+    plan.artists.context = command.context;
     plan.artists.submission_lab = command.lab[0] ? command.lab : NULL;
     plan.artists.submission = command.submission;
     bool ok = choose_jail(&command, &plan, &jail) && study(&command, &plan);

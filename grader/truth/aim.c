@@ -14,10 +14,14 @@ vec3s aim_origin(const TruthHit *hit) {
     return glms_vec3_add(p, glms_vec3_scale(hit->face_normal, size * 0x1p-19f));
 }
 
-// The unit square to the unit disc, areas kept.
+// The unit square to the unit disc, areas and, as well as can be, shapes kept: rings of squares become rings
+// (Shirley, Chiu: A Low Distortion Map Between Disk and Square, Journal of Graphics Tools 1997).
 static vec2s to_disc(vec2s square) {
-    float radius = sqrtf(square.x), angle = 2 * (float)GLM_PI * square.y;
-    return (vec2s){{radius * cosf(angle), radius * sinf(angle)}};
+    float x = 2 * square.x - 1, y = 2 * square.y - 1;
+    bool is_wide = fabsf(x) > fabsf(y);
+    float radius = is_wide ? x : y, ratio = radius == 0 ? 0 : (is_wide ? y : x) / radius;
+    float angle = (float)GLM_PI_4f * ratio, along = radius * cosf(angle), across = radius * sinf(angle);
+    return is_wide ? (vec2s){{along, across}} : (vec2s){{across, along}};
 }
 
 static Aim aim_at_area(const TruthArea *area, vec2s place) {
@@ -62,18 +66,25 @@ static int strata_across(int samples) {
     return across;
 }
 
+// Is this stratum of the query's part? Each part has strata from everywhere.
+static bool is_part(const TruthQuery *query, int column, int row) {
+    int side = query->parts > 0 ? (int)lrintf(sqrtf((float)query->parts)) : 1;
+    return row % side * side + column % side == query->part;
+}
+
 static int aim_samples(const TruthQuery *query, const Light *light, int tile, Aim *aims) {
     // The tile's number is put through the generator once: neighbouring seeds share most of their sequence.
     Random random = {query->seed + (uint64_t)tile * 0xd1342543de82ef95u};
     random.state = random_next(&random);
-    int across = strata_across(query->samples), down = query->samples / across;
+    int across = strata_across(query->samples), down = query->samples / across, count = 0;
     for (int row = 0; row < down; row++)
         for (int column = 0; column < across; column++) {
             float x = ((float)column + random_range(&random, 0, 1)) / (float)across;
             float y = ((float)row + random_range(&random, 0, 1)) / (float)down;
-            *aims++ = aim_sample(query, light, (vec2s){{x, y}});
+            if (is_part(query, column, row))
+                aims[count++] = aim_sample(query, light, (vec2s){{x, y}});
         }
-    return query->samples;
+    return count;
 }
 
 int aim_all(const Scene *scene, const TruthQuery *query, int tile, Aim *aims) {

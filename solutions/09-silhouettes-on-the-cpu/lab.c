@@ -94,7 +94,7 @@ static void draw_light(const Frame *frame) {
 static void show_stages(const Frame *frame) {
     Scene scene;
     const Frame moved = from_eye(frame, &scene);
-    frame_view_draw(&state.view, frame, &frame->programs[PROGRAM_CONSTANT]);
+    frame_view_draw(&state.view, frame, 0, &frame->programs[PROGRAM_CONSTANT]);
     stages_draw(&moved);
 }
 

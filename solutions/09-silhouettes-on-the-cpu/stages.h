@@ -4,6 +4,8 @@
 #include "target.h"
 #include "volumes.h"
 
+#include <string.h>
+
 // The frame with its scene moved so that the eye is at (0, 0, 0): what is near has small numbers then,
 // wherever in the world it is, and small numbers round little.
 static Frame from_eye(const Frame *frame, Scene *scene) {
@@ -68,8 +70,11 @@ static void make_parts(const Frame *frame) {
     }
 }
 
-// All triangles, in front of everything: red those that look to the eye, blue the others.
-static void show_shell(const Frame *frame, const Shell *shell, const Target *target) {
+// All triangles, in front of everything: red those that look to the eye, blue the others. Only in the stage
+// that is looked at.
+static void show_shell(const Frame *frame, const char *stage, const Shell *shell, const Target *target) {
+    if (strcmp(frame->view, stage) != 0)
+        return;
     target_bind(target);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
@@ -101,10 +106,10 @@ static void stages_draw(const Frame *frame) {
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    show_shell(frame, &stages.lit_faces, &stages.lit);
-    show_shell(frame, &stages.fins, &stages.silhouette);
-    show_shell(frame, &volumes.sides, &stages.sides);
-    show_shell(frame, &volumes.caps, &stages.caps);
+    show_shell(frame, "lit faces", &stages.lit_faces, &stages.lit);
+    show_shell(frame, "silhouette", &stages.fins, &stages.silhouette);
+    show_shell(frame, "sides", &volumes.sides, &stages.sides);
+    show_shell(frame, "caps", &volumes.caps, &stages.caps);
     show_around_eye(frame, &stages.around_eye);
     gl_reset();
     frame_bind(frame);
