@@ -1,5 +1,4 @@
-// Makes a shadow volume's triangles: the neighbours of each triangle that looks to the light say where the
-// sides stand.
+// Finds the sides of shadow volumes on the CPU, triangle by triangle.
 #include "scene/silhouette.h"
 
 #include "scene/check.h"
