@@ -208,7 +208,7 @@ const char *error_kind(char *text, size_t size, const Image *yours, const Image 
     if (moved)
         return moved;
     const char *kind = whole_kind(yours, reference, wrong);
-    kind = kind ? kind : soft_kind(yours, reference, view);
+    kind = kind ? kind : soft_kind(yours, reference, view != ERROR_VIEW_VALUES);
     kind = kind ? kind : average_kind(yours, reference);
     if (!kind && view != ERROR_VIEW_VALUES) // samples at other places are no edges
         kind = coarse_kind(yours, reference);

@@ -107,33 +107,32 @@ static double sharpness(const Grey *grey, const Grey *other) {
     return steps > 0 && high > low ? squares / steps / (high - low) : 0;
 }
 
-static const char *softer(bool is_sharp, ErrorView view) {
-    if (is_sharp || view == ERROR_VIEW_VALUES)
+static const char *softer(bool is_sharp, bool shadows) {
+    if (is_sharp || !shadows)
         return "blurred: edges are soft that should be sharper";
     return "wider penumbra: the soft edge of the shadow is too wide";
 }
 
-static const char *sharper(ErrorView view) {
-    return view == ERROR_VIEW_VALUES
-               ? "too sharp, or in blocks: it should be smoother"
-               : "narrower penumbra: the soft edge of the shadow is too narrow, or it is sharp";
+static const char *sharper(bool shadows) {
+    return shadows ? "narrower penumbra: the soft edge of the shadow is too narrow, or it is sharp"
+                   : "too sharp, or in blocks: it should be smoother";
 }
 
-static const char *compare(const Grey *yours, const Grey *reference, ErrorView view) {
+static const char *compare(const Grey *yours, const Grey *reference, bool shadows) {
     const Error error = error_between(yours, reference);
     if (error.size < LEAST || fabs(error.sum) > SIGNED * error.size)
         return NULL;
     const double soft = left_by_blur(reference, yours), sharp = left_by_blur(yours, reference);
     if (fmin(soft, sharp) > REST * error.size)
         return NULL;
-    return soft < sharp ? softer(sharpness(reference, yours) > SHARP, view) : sharper(view);
+    return soft < sharp ? softer(sharpness(reference, yours) > SHARP, shadows) : sharper(shadows);
 }
 
-const char *soft_kind(const Image *yours, const Image *reference, ErrorView view) {
+const char *soft_kind(const Image *yours, const Image *reference, bool shadows) {
     Grey mine, right = {0};
     const char *kind = NULL;
     if (grey_create(&mine, yours) && grey_create(&right, reference))
-        kind = compare(&mine, &right, view);
+        kind = compare(&mine, &right, shadows);
     free(mine.at);
     free(right.at);
     return kind;
