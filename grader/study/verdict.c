@@ -1,3 +1,5 @@
+// Chooses the cheapest setting that is enough in all views, tries other limits and single views, and says it
+// in words.
 #include "study/verdict.h"
 
 #include "scene/check.h"
@@ -5,7 +7,8 @@
 
 #include <math.h>
 
-#define SAME_COST 1.05 // times that differ by less are the same, whatever their bars say
+#define SAME_COST                                                                                            \
+    1.15 // times that differ by less are the same, whatever their bars say: another day may swap them
 #define LIMIT_VARIED 0.2
 
 static bool is_enough(const SceneFindings *findings, const MeasuredErrors *errors, double scale) {
