@@ -46,8 +46,8 @@ static void make_several(Scene *scene, Random *random) {
 
 // Boxes and balls all around a place, also above and below it.
 static void add_around(Scene *scene, Random *random, vec3s middle) {
-    static const float places[][3] = {{1, -0.1f, 0.2f},  {-1, 0.1f, -0.2f}, {0.2f, 1, -0.3f},
-                                      {-0.1f, -1, 0.2f}, {0.3f, 0, 1},      {-0.2f, -0.1f, -1}};
+    static const float places[][3] = {{1, -0.6f, 0.2f},  {-1, -0.5f, -0.2f}, {0.2f, 1, -0.3f},
+                                      {-0.1f, -1, 0.2f}, {0.3f, -0.5f, 1},   {-0.2f, -0.1f, -1}};
     for (int i = 0; i < 6; i++) {
         vec3s aside = vec3_make(places[i][0], places[i][1], places[i][2]);
         float r = random_range(random, 0.15f, 0.3f), away = random_range(random, 0.8f, 1.1f);
@@ -135,13 +135,14 @@ static void make_wide(Scene *scene, Random *random) {
     add_wide(scene, random);
 }
 
-// A wide light that is not the first one: its maps begin later.
+// A wide light in the middle of the list: its maps begin later, and those after it later still.
 static void make_mixed(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 6, random);
     add_floating(scene, random);
     add_lights(scene, random, 1);
     add_wide(scene, random);
+    add_lights(scene, random, 1);
 }
 
 const SceneMaker LAB_TABLE[] = {
