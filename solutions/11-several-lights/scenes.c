@@ -57,12 +57,12 @@ static void add_around(Scene *scene, Random *random, vec3s middle) {
     }
 }
 
-// Low over the floor, nearer to their shadows than to the lamp: on both sides, and in front of it.
+// Low over the floor, nearer to their shadows than to the lamp: on both sides, and under it.
 static void add_low(Scene *scene, Random *random, vec3s middle) {
-    static const float azimuths[] = {90, 270, 20, -20};
+    static const float azimuths[] = {90, 270, 40, -40};
     for (int i = 0; i < 4; i++) {
         float r = random_range(random, 0.15f, 0.25f),
-              away = random_range(random, 1, 1.3f) * (i < 2 ? 1.8f : 1);
+              away = random_range(random, 0.8f, 1) * (i < 2 ? 2.3f : 0.8f);
         vec3s place = part_orbit(middle, azimuths[i] + random_range(random, -15, 15), 0, away);
         part_object(scene, random_int(random, 0, 1) ? SHAPE_BOX : SHAPE_SPHERE,
                     vec3_make(place.x, r + random_range(random, 0.05f, 0.15f), place.z), vec3_make(r, r, r),
