@@ -46,8 +46,8 @@ static void make_several(Scene *scene, Random *random) {
 
 // Boxes and balls all around a place, also above and below it.
 static void add_around(Scene *scene, Random *random, vec3s middle) {
-    static const float places[][3] = {{1, -0.6f, 0.2f},  {-1, -0.5f, -0.2f}, {0.2f, 1, -0.3f},
-                                      {-0.1f, -1, 0.2f}, {0.3f, -0.5f, 1},   {-0.2f, -0.1f, -1}};
+    static const float places[][3] = {{1, -0.1f, 0.2f},     {-1, 0.1f, -0.2f}, {0.2f, 1, -0.3f},
+                                      {-0.1f, -1.1f, 0.2f}, {0.3f, 0, 1},      {-0.3f, -0.1f, -1.7f}};
     for (int i = 0; i < 6; i++) {
         vec3s aside = vec3_make(places[i][0], places[i][1], places[i][2]);
         float r = random_range(random, 0.15f, 0.3f), away = random_range(random, 0.8f, 1.1f);
