@@ -8,7 +8,7 @@
 #include "compile/lab_folder.h"
 #include "compile/todo.h"
 #include "diagnose/diagnose.h"
-#include "exam/exam_file.h"
+#include "exam/handed_out.h"
 #include "diagnose/evidence.h"
 #include "grade/score_check.h"
 #include "score/score.h"
@@ -196,7 +196,7 @@ static void note_ignored(const char *name, void *context) {
     for (int i = 0; i < ignored->rubric->file_count; i++)
         if (strcmp(ignored->rubric->files[i], name) == 0)
             return;
-    if (exam_file_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
+    if (handed_out_has(ignored->rubric, name) || ++ignored->count > 8)
         return;
     char text[400];
     snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
@@ -241,7 +241,7 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     address_explain(result, student, exam->rubric);
     if (options->early && !result_done(result))
         options->early(result, options->early_context);
-    return diagnose(result, exam, student, !options->no_swap) &&
+    return diagnose(result, exam, student, options->no_swap ? FAULT_BY_RESET : FAULT_BY_SWAP) &&
            (!options->evidence || evidence_attach(result, exam));
 }
 
