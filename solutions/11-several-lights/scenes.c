@@ -51,6 +51,7 @@ static void add_around(Scene *scene, Random *random, vec3s middle) {
     for (int i = 0; i < 6; i++) {
         vec3s aside = vec3_make(places[i][0], places[i][1], places[i][2]);
         float r = random_range(random, 0.15f, 0.3f), away = random_range(random, 0.8f, 1.1f);
+        r *= i == 2 ? 2 : 1; // nothing else is above the lamp
         part_object(scene, random_int(random, 0, 1) ? SHAPE_BOX : SHAPE_SPHERE,
                     glms_vec3_add(middle, glms_vec3_scale(aside, away)), vec3_make(r, r, r),
                     random_range(random, 0, 90), part_color(random));
