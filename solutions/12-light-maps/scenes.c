@@ -81,17 +81,29 @@ static void make_faces(Scene *scene, Random *random) {
     light_above(scene, random, any_kind(random), random_int(random, 0, 1), random_range(random, 2.5f, 4));
 }
 
-// Things between the light and the floor, beyond the lamp, and under the floor.
-static void make_casters(Scene *scene, Random *random) {
+// Things between the light and the floor, under the floor, and beyond the place of the light: there they are
+// in the way of a sun only.
+static void add_casters(Scene *scene, Random *random, LightKind kind) {
     part_begin(scene, random);
     tilt(part_floor(scene, random_range(random, 1.8f, 2.2f), random), random_range(random, -8, 8),
          random_range(random, -8, 8));
     add_boxes(scene, random, 2, 0.3f, 0.9f);
-    LightKind kind = any_kind(random);
     Light *light = light_above(scene, random, kind, random_int(random, 0, 1), random_range(random, 4, 5));
-    if (kind != LIGHT_DIRECTIONAL)
-        add_box(scene, random, glms_vec3_scale(light->position, random_range(random, 1.3f, 1.4f)), 0.9f);
+    vec3s beyond = glms_vec3_lerp(light->target, light->position, random_range(random, 1.25f, 1.4f));
+    add_box(scene, random, beyond, kind == LIGHT_DIRECTIONAL ? 0.4f : 0.9f);
     add_box(scene, random, vec3_make(random_range(random, -0.6f, 0.6f), -1.2f, 0), 0.5f);
+}
+
+static void make_spot(Scene *scene, Random *random) {
+    add_casters(scene, random, LIGHT_SPOT);
+}
+
+static void make_sun(Scene *scene, Random *random) {
+    add_casters(scene, random, LIGHT_DIRECTIONAL);
+}
+
+static void make_point(Scene *scene, Random *random) {
+    add_casters(scene, random, LIGHT_POINT);
 }
 
 static void make_wide(Scene *scene, Random *random) {
@@ -150,7 +162,15 @@ static void make_far(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"luxel blocks", make_blocks}, {"luxel faces", make_faces},   {"luxel casters", make_casters},
-    {"luxel wide", make_wide},     {"luxel mapped", make_mapped}, {"luxel balls", make_balls},
-    {"luxel near", make_near},     {"luxel far", make_far},       {0},
+    {"luxel blocks", make_blocks},
+    {"luxel faces", make_faces},
+    {"luxel spot", make_spot},
+    {"luxel sun", make_sun},
+    {"luxel point", make_point},
+    {"luxel wide", make_wide},
+    {"luxel mapped", make_mapped},
+    {"luxel balls", make_balls},
+    {"luxel near", make_near},
+    {"luxel far", make_far},
+    {0},
 };
