@@ -80,17 +80,16 @@ static const vec3s none = {{0, 0, 0}};
 // is drawn.
 static bool sweep_far(LabSet *labs, Findings *findings, Curve *curve, Curve *failure, const Way *way,
                       bool home) {
-    double near = 0, error;
+    double error;
     bool ok = true;
     for (int i = 0; ok && i <= 6; i++) {
-        const float far = i == 0 ? 0 : powf(10, (float)i);
+        const float far = powf(10, (float)i);
         Scene scene = far_scene(far);
         if (home)
             move(&scene, glms_vec3_sub(none, scene.camera.eye));
         ok = measure(labs, findings, home ? 1 : 0, way, &scene, &error);
-        near = i == 0 ? error : near;
-        if (home || (i > 0 && i <= 4))
-            curve_add(curve, (double)far, error - near, 0, far_tolerance(home ? 0 : (double)far));
+        if (home || i <= 4)
+            curve_add(curve, (double)far, error, 0, far_tolerance(home ? 0 : (double)far));
         else if (i == 6)
             curve_add(failure, way - ways, error, outline * float_step(1e6) / (SIDE * SIDE * unit * unit), 0);
     }
@@ -99,12 +98,11 @@ static bool sweep_far(LabSet *labs, Findings *findings, Curve *curve, Curve *fai
 
 static bool run_far(LabSet *labs, Findings *findings) {
     static const char away[] = "distance along x and z (world units)";
-    Figure *figure =
-               findings_figure(findings, "Far from the origin", away, "error beyond that at the origin"),
+    Figure *figure = findings_figure(findings, "Far from the origin", away, "error inside (share)"),
            *lost = findings_figure(findings, "A million away", "way, in the order of the curves",
                                    "error inside (share)"),
            *back = findings_figure(findings, "As far, but moved to the eye before it is drawn", away,
-                                   "error beyond that at the origin");
+                                   "error inside (share)");
     Curve *failure = figure_curve(lost, "failure: all of them", CURVE_LEAST);
     bool ok = true;
     figure->log_x = true;
