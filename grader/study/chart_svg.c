@@ -143,12 +143,23 @@ static void write_axes(FILE *file, const SceneFindings *findings) {
     write_time_axis(file, findings);
 }
 
+// A line where a frame without shadows lies: what a method takes beyond it is the price of its shadow.
+static void write_bare(FILE *file, const SceneFindings *findings) {
+    for (int i = 0; i < findings->count; i++) {
+        const Finding *finding = &findings->findings[i];
+        if (finding->drawn && !finding->method.submission && strcmp(finding->method.family, METHOD_BARE) == 0)
+            fprintf(file, "set arrow from %g, graph 0 to %g, graph 1 nohead dt 3 lw 2 lc rgb '%s'\n",
+                    findings->points[i].ms, findings->points[i].ms, chart_color(findings, &finding->method));
+    }
+}
+
 static bool write_script(const SceneFindings *findings, const char *path) {
     FILE *file = fopen(path, "w");
     if (!file)
         return check_fail("%s: %s", path, strerror(errno));
     write_axes(file, findings);
     write_range(file, findings);
+    write_bare(file, findings);
     const char *name = findings->scene->name;
     fprintf(file, "plot '%s.dat' index 0 using 1:2 with steps lc rgb '#999999' lw 2 title 'front', \\\n",
             name);
