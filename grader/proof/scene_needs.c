@@ -52,8 +52,9 @@ void scene_needs_describe(char text[ECONOMY_TEXT], const char *lab, const SceneN
     int shapes[SHAPE_COUNT] = {0};
     for (int i = 0; i < economy->first.object_count; i++)
         shapes[economy->first.objects[i].shape]++;
-    snprintf(text, ECONOMY_TEXT, "| %s | %s | %d | %d | %d | %d |", lab, economy->scene, shapes[SHAPE_PLANE],
-             shapes[SHAPE_BOX], shapes[SHAPE_SPHERE], scene_needs_triangles(&economy->first));
+    snprintf(text, ECONOMY_TEXT, "| %s | %s | %d | %d | %d | %d | %d |", lab, economy->scene,
+             shapes[SHAPE_PLANE], shapes[SHAPE_BOX], shapes[SHAPE_SPHERE], shapes[SHAPE_ARCH],
+             scene_needs_triangles(&economy->first));
 }
 
 double scene_needs_least(const SceneNeeds *economy) {
