@@ -6,6 +6,7 @@
 #include "worker/renderdoc.h"
 #include "context.h"
 #include "worker/loaded_lab.h"
+#include "worker/no_programs.h"
 #include "protocol/protocol.h"
 #include "scene/shader_source.h"
 #include "base/pipe.h"
@@ -118,6 +119,7 @@ int main(int count, char **arguments) {
     worker.shader_folder = arguments[3];
     shader_source_folders(worker.shader_folder, worker.shader_folder); // for our own
     worker.ready = start(arguments[1]);
+    no_programs();
     while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
         INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&
                   request.height <= PROTOCOL_MAX_SIZE);
