@@ -252,6 +252,15 @@ static int remove_entry(const char *path, const struct stat *info, int kind, str
     return remove(path);
 }
 
+static int remove_inner(const char *path, const struct stat *info, int kind, struct FTW *position) {
+    (void)info, (void)kind;
+    return position->level > 0 ? remove(path) : 0;
+}
+
+void files_empty(const char *path) {
+    nftw(path, remove_inner, 16, FTW_DEPTH | FTW_PHYS);
+}
+
 void files_remove(const char *path) {
     nftw(path, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
     temporary_drop(path);

@@ -51,7 +51,10 @@ bool files_make_temporary(char path[FILES_PATH]);
 // Makes a folder and its parents.
 bool files_make_folder(const char *path);
 
-// Removes a folder that was made here, with all it holds.
+// Removes all that a folder holds, which was made here.
+void files_empty(const char *path);
+
+// Removes such a folder, with all it holds.
 void files_remove(const char *path);
 
 // The folder that a path's file lies in, "./" where the path names none; ends with a slash.

@@ -26,7 +26,8 @@ typedef enum ProcessState {
     PROCESS_ENDED,     // exited or died: see status
     PROCESS_TIMED_OUT, // killed: the wall time was over
     PROCESS_TOO_LARGE, // killed: it held more than resident_mib, or that cannot be seen
-    PROCESS_FLOODED    // killed: it printed more than PROCESS_FLOOD bytes
+    PROCESS_FLOODED,   // killed: it printed more than PROCESS_FLOOD bytes
+    PROCESS_DEAF       // killed: what it replies cannot be read, which is not its fault
 } ProcessState;
 
 typedef struct Process {

@@ -3,6 +3,7 @@
 #include "grade/grade_lab.h"
 
 #include "grade/address.h"
+#include "grade/control.h"
 #include "scene/check.h"
 #include "base/statistics.h"
 #include "compile/lab_folder.h"
@@ -107,6 +108,8 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
     }
     if (drawn == DRAW_OK || drawn == DRAW_FAILED)
         return true;
+    if (drawn == DRAW_FAULT)
+        return false;
     lose_check(check, drawn, reply.message);
     note_output(result, student->process.text);
     return worker_client_restart(student);
@@ -210,13 +213,30 @@ static void note_begun(LabResult *result, const Rubric *rubric, const char *fold
         result->checks[c].begun = !todo_find(rubric, folder, rubric->checks[c].task, place, sizeof place);
 }
 
+// What fails although ours is compiled in the same way is tried once more: room or a process may have been
+// missing for a moment. False with a message when ours fails, too.
+static bool compile(bool *ok, WorkerClient *student, const Rubric *rubric, const char *submission,
+                    char log[COMPILE_LOG]) {
+    *ok = lab_folder_submission(student->folder, rubric, submission, student->jail, log);
+    if (*ok || exam_file_only())
+        return true;
+    check_clear();
+    if (!control_compiles(rubric, student->jail))
+        return false;
+    files_empty(student->folder);
+    *ok = lab_folder_submission(student->folder, rubric, submission, student->jail, log);
+    return true;
+}
+
+// False with a message when the machine or we are to blame; the submission's own faults are told in `result`.
 static bool take_submission(LabResult *result, WorkerClient *student, const Rubric *rubric,
                             const char *submission) {
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
     Ignored ignored = {rubric, result, 0};
-    bool ok = files_check_folder(submission) && files_list(submission, note_ignored, &ignored) &&
-              lab_folder_submission(student->folder, rubric, submission, student->jail, log);
+    bool ok = files_check_folder(submission) && files_list(submission, note_ignored, &ignored);
+    if (ok && !compile(&ok, student, rubric, submission, log))
+        return false;
     if (!ok) {
         snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
         fail_lab(result, LAB_ERROR, text);
@@ -226,7 +246,12 @@ static bool take_submission(LabResult *result, WorkerClient *student, const Rubr
     check_clear();
     if (ok)
         note_begun(result, rubric, submission);
-    return ok;
+    return true;
+}
+
+// Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.
+static bool is_to_blame(const LabResult *result, LabExam *examiner, Exam *exam, const WorkerClient *student) {
+    return result->score > 0 || !exam->painters || control_draws(examiner, exam, student);
 }
 
 static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
@@ -237,6 +262,10 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
         return false;
     worker_client_begin(student);
     grade_frames(result, exam, student, exam->painters && !options->untimed);
+    if (student->fault)
+        return check_fail("%s", check_message()[0] ? check_message() : result->message);
+    if (!is_to_blame(result, examiner, exam, student))
+        return false;
     note_output(result, student->process.text);
     address_explain(result, student, exam->rubric);
     if (options->early && !result_done(result))
@@ -256,8 +285,8 @@ bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, con
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;
-    bool ok = true;
-    if (take_submission(result, &student, &examiner->rubric, submission))
+    bool ok = take_submission(result, &student, &examiner->rubric, submission);
+    if (ok && !result->message[0])
         ok = examine(result, examiner, &student, options);
     worker_client_stop(&student);
     files_remove(student.folder);

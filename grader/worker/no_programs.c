@@ -1,5 +1,5 @@
-// The jail must allow execve, by which the worker itself came; here the worker gives it away, by one more filter
-// of system calls. Those of another architecture the jail's own filter kills.
+// The jail must allow execve, by which the worker itself came; here the worker gives it away, by one more
+// filter of system calls. Those of another architecture the jail's own filter kills.
 #include "worker/no_programs.h"
 
 #include <errno.h>
