@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/temporary.h"
+#include "base/text_check.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -110,7 +111,11 @@ static char *read_untrusted(const char *folder, const char *name, size_t limit, 
 
 char *files_read_untrusted(const char *folder, const char *name, size_t limit) {
     size_t size;
-    return read_untrusted(folder, name, limit, &size);
+    char *text = read_untrusted(folder, name, limit, &size);
+    if (text && text_check(text, size, name))
+        return text;
+    free(text);
+    return NULL;
 }
 
 bool files_take(const char *folder, const char *name, const char *path, size_t limit) {

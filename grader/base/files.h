@@ -12,8 +12,9 @@ char *files_read(const char *path, size_t limit);
 // The same for a file that may hold any bytes: `size` of them, with a 0 behind.
 char *files_read_bytes(const char *path, size_t limit, size_t *size);
 
-// The same for a file handed in: `name` must be a regular file in `folder` itself, not reached
-// by a link or a mount, and without another name (a hard link). The folder may not be a link either.
+// The same for a file of text that was handed in (see text_check): `name` must be a regular file in `folder`
+// itself, not reached by a link or a mount, and without another name (a hard link). The folder may not be a
+// link either.
 char *files_read_untrusted(const char *folder, const char *name, size_t limit);
 
 // Is it a folder, and not a link to one?

@@ -12,7 +12,6 @@
 #include "class/submission_record.h"
 #include "base/progress_bar.h"
 #include "class/roster.h"
-#include "intake/archive.h"
 #include "class/run_folder.h"
 
 #include <stdlib.h>
@@ -33,22 +32,6 @@ typedef struct Class {
     int not_graded; // of this run
 } Class;
 
-// Grades the folder of one submission, or what its archive holds.
-static bool grade_folder(Class *class, const RosterEntry *entry, Report *report) {
-    char path[FILES_PATH], inside[FILES_PATH];
-    files_join(path, class->roster.folder, entry->name);
-    if (!entry->archive)
-        return session_grade(&class->session, path, report);
-    if (!files_make_temporary(inside))
-        return false;
-    Extracted unpacked = archive_unpack(&class->jail, path, inside);
-    bool ok = unpacked == EXTRACT_OK ? session_grade(&class->session, inside, report)
-                                     : unpacked == EXTRACT_BAD_ARCHIVE &&
-                                           session_refuse(&class->session, check_message(), report);
-    files_remove(inside);
-    return ok;
-}
-
 // A submission that could not be drawn is to blame only if the jail still holds whoever is in it.
 static bool is_to_blame(const Class *class, const Report *report) {
     bool broken = false;
@@ -59,9 +42,11 @@ static bool is_to_blame(const Class *class, const Report *report) {
 }
 
 static bool grade_entry(Class *class, const RosterEntry *entry, Report *report) {
+    char path[FILES_PATH];
+    files_join(path, class->roster.folder, entry->name);
     if (!class->ready)
         class->ready = run_settings_session(&class->plan, &class->jail, &class->session);
-    return class->ready && grade_folder(class, entry, report) && is_to_blame(class, report) &&
+    return class->ready && session_grade(&class->session, path, report) && is_to_blame(class, report) &&
            submission_record_write(class->settings->output, entry, report);
 }
 

@@ -1,22 +1,12 @@
 #include "class/roster.h"
 
+#include "intake/archive.h"
 #include "scene/check.h"
-#include "scene/count.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 #include <sys/stat.h>
-
-static bool is_archive(const char *name) {
-    static const char *const ends[] = {".zip", ".tar.gz", ".tgz"};
-    size_t length = strlen(name);
-    for (size_t i = 0; i < COUNT(ends); i++)
-        if (length > strlen(ends[i]) && strcasecmp(name + length - strlen(ends[i]), ends[i]) == 0)
-            return true;
-    return false;
-}
 
 static void *grow(void *list, int count, size_t size) {
     bool full = (count & (count - 1)) == 0; // room is always a power of two
@@ -30,7 +20,7 @@ static void add(const char *name, void *context) {
     char path[FILES_PATH];
     struct stat info;
     files_join(path, roster->folder, name);
-    bool known = lstat(path, &info) == 0, archive = known && S_ISREG(info.st_mode) && is_archive(name);
+    bool known = lstat(path, &info) == 0, archive = known && S_ISREG(info.st_mode) && archive_is_name(name);
     if (name[0] == '.' || (!archive && !(known && S_ISDIR(info.st_mode)))) {
         roster->ignored = grow(roster->ignored, roster->ignored_count, sizeof *roster->ignored);
         roster->ignored[roster->ignored_count++] = printable_name(name);

@@ -6,21 +6,20 @@
 #include "grade/control.h"
 #include "scene/check.h"
 #include "base/statistics.h"
-#include "compile/lab_folder.h"
-#include "compile/todo.h"
 #include "diagnose/diagnose.h"
 #include "exam/exam_file.h"
 #include "diagnose/evidence.h"
 #include "grade/score_check.h"
+#include "grade/take_submission.h"
 #include "score/score.h"
 
 #include <stdio.h>
 #include <string.h>
 
-static void add_warning(LabResult *result, const char *text) {
+void grade_warn(LabResult *result, const char *text) {
     char clean[RESULT_TEXT];
     result_clean(clean, sizeof clean, text);
-    if (!strstr(result->warnings, clean))
+    if (clean[0] && !strstr(result->warnings, clean))
         check_append(result->warnings, sizeof result->warnings, "%s%s", result->warnings[0] ? "\n" : "",
                      clean);
 }
@@ -63,7 +62,7 @@ static void note_output(LabResult *result, const char *printed) {
     const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
     check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
     if (length > 0)
-        add_warning(result, text);
+        grade_warn(result, text);
 }
 
 // Draws one frame of the student's.
@@ -74,9 +73,9 @@ static DrawResult draw_one(LabResult *result, WorkerClient *student, const Varia
     check->facts[n] = reply->facts;
     if (drawn == DRAW_OK) {
         if (reply->message[0])
-            add_warning(result, reply->message);
+            grade_warn(result, reply->message);
         if (score_not_finite(yours))
-            add_warning(result, score_not_finite(yours));
+            grade_warn(result, score_not_finite(yours));
         return DRAW_OK;
     }
     image_destroy(yours);
@@ -186,67 +185,6 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
     }
     result->speed_ratio = ratios.count > 0 ? statistics_median(ratios.values, (size_t)ratios.count) : 0;
     grade_pictures(result, exam);
-}
-
-typedef struct Ignored {
-    const Rubric *rubric;
-    LabResult *result;
-    int count;
-} Ignored;
-
-static void note_ignored(const char *name, void *context) {
-    Ignored *ignored = context;
-    for (int i = 0; i < ignored->rubric->file_count; i++)
-        if (strcmp(ignored->rubric->files[i], name) == 0)
-            return;
-    if (exam_file_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
-        return;
-    char text[400];
-    snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
-    add_warning(ignored->result, text);
-}
-
-// Who has begun an optional task is judged by it, even where the picture is still that of the skeleton.
-static void note_begun(LabResult *result, const Rubric *rubric, const char *folder) {
-    char place[FILES_PATH];
-    for (int c = 0; c < result->check_count; c++)
-        result->checks[c].begun = !todo_find(rubric, folder, rubric->checks[c].task, place, sizeof place);
-}
-
-// What fails although ours is compiled in the same way is tried once more: room or a process may have been
-// missing for a moment. False with a message when ours fails, too.
-static bool compile(bool *ok, WorkerClient *student, const Rubric *rubric, const char *submission,
-                    char log[COMPILE_LOG]) {
-    *ok = lab_folder_submission(student->folder, rubric, submission, student->jail, log);
-    if (*ok || exam_file_only())
-        return true;
-    check_clear();
-    if (!control_compiles(rubric, student->jail))
-        return false;
-    files_empty(student->folder);
-    *ok = lab_folder_submission(student->folder, rubric, submission, student->jail, log);
-    return true;
-}
-
-// False with a message when the machine or we are to blame; the submission's own faults are told in `result`.
-static bool take_submission(LabResult *result, WorkerClient *student, const Rubric *rubric,
-                            const char *submission) {
-    static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
-    check_clear();
-    Ignored ignored = {rubric, result, 0};
-    bool ok = files_check_folder(submission) && files_list(submission, note_ignored, &ignored);
-    if (ok && !compile(&ok, student, rubric, submission, log))
-        return false;
-    if (!ok) {
-        snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
-        fail_lab(result, LAB_ERROR, text);
-    } else if (log[0]) {
-        add_warning(result, log);
-    }
-    check_clear();
-    if (ok)
-        note_begun(result, rubric, submission);
-    return true;
 }
 
 // Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.

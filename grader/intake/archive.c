@@ -1,7 +1,21 @@
 #include "intake/archive.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
+
+#include <string.h>
+#include <strings.h>
 #include <sys/statvfs.h>
+
+bool archive_is_name(const char *name) {
+    static const char *const ends[] = {".zip",    ".tar", ".tar.gz", ".tgz",     ".tar.bz2", ".tbz", ".tbz2",
+                                       ".tar.xz", ".txz", ".7z",     ".tar.zst", ".tzst",    ".rar"};
+    const size_t length = strlen(name);
+    for (size_t i = 0; i < COUNT(ends); i++)
+        if (length > strlen(ends[i]) && strcasecmp(name + length - strlen(ends[i]), ends[i]) == 0)
+            return true;
+    return false;
+}
 
 // Room for what an archive may hold, and twice as much. Without it a good archive would be refused.
 static bool has_room(const char *folder) {

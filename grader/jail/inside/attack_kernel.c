@@ -33,21 +33,11 @@ static bool makes_namespaces(const AttackTarget *target) {
 
 // A kernel that lacks one of them answers ENOSYS, but the filter comes first.
 static bool calls_kernel(const AttackTarget *target) {
-    static const long calls[] = {SYS_io_uring_setup,
-                                 SYS_bpf,
-                                 SYS_keyctl,
-                                 SYS_add_key,
-                                 SYS_userfaultfd,
-                                 SYS_perf_event_open,
-                                 SYS_pidfd_open,
-                                 SYS_init_module,
-                                 SYS_kexec_load,
-                                 SYS_reboot,
-                                 SYS_setns,
-                                 SYS_process_vm_writev,
-                                 SYS_kcmp,
-                                 SYS_quotactl,
-                                 SYS_syslog};
+    static const long calls[] = {SYS_io_uring_setup, SYS_bpf,         SYS_keyctl,
+                                 SYS_add_key,        SYS_userfaultfd, SYS_perf_event_open,
+                                 SYS_pidfd_open,     SYS_init_module, SYS_kexec_load,
+                                 SYS_reboot,         SYS_setns,       SYS_process_vm_writev,
+                                 SYS_kcmp,           SYS_quotactl,    SYS_syslog};
     (void)target;
     for (unsigned i = 0; i < sizeof calls / sizeof calls[0]; i++)
         if (syscall(calls[i], 0, 0, 0, 0, 0, 0) >= 0 || errno != EPERM)
@@ -68,8 +58,8 @@ static bool shares_memory(const AttackTarget *target) {
     return memory >= 0 || queue >= 0 || file >= 0 || named != (mqd_t)-1;
 }
 
-// Mesa needs such files; more than file_mib of the self-test, 1 MiB, must not fit into one. The signal of a file
-// that grows too large would end us.
+// Mesa needs such files; more than file_mib of the self-test, 1 MiB, must not fit into one. The signal of a
+// file that grows too large would end us.
 static bool fills_memory(const AttackTarget *target) {
     (void)target;
     enum { MIB = 1 << 20 };
