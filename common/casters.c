@@ -14,6 +14,7 @@ typedef struct CasterModel {
 static CasterModel casters[SHAPE_COUNT];
 static Volume volume; // its memory serves all frames
 static GLuint volume_array, volume_buffer;
+static bool were_clamped;
 
 static bool create(CasterModel *caster, Shape shape) {
     if (!mesh_create(&caster->mesh, shape) || !adjacency_create(&caster->adjacency, &caster->mesh))
@@ -47,7 +48,12 @@ void casters_destroy(void) {
     volume_array = volume_buffer = 0;
 }
 
+bool casters_were_clamped(void) {
+    return were_clamped;
+}
+
 void casters_draw(const Frame *frame, const Program *program) {
+    were_clamped = glIsEnabled(GL_DEPTH_CLAMP);
     for (int i = 0; i < frame->scene->object_count; i++) {
         const Object *object = &frame->scene->objects[i];
         const Model *caster = &casters[object->shape].model;
@@ -71,15 +77,27 @@ static void draw_volume(void) {
     glBindVertexArray(0);
 }
 
+// False for an open shape, which has no volume, and when there is no memory.
+static bool add_volume(const Frame *frame, int i) {
+    const Object *object = &frame->scene->objects[i];
+    const CasterModel *caster = &casters[object->shape];
+    return caster->adjacency.open_edges == 0 &&
+           silhouette_add(&volume, &caster->mesh, &caster->adjacency, object->world_from_object,
+                          &frame->scene->lights[0]);
+}
+
 void casters_draw_volumes(const Frame *frame) {
+    were_clamped = glIsEnabled(GL_DEPTH_CLAMP);
     volume.count = 0;
-    for (int i = 0; i < frame->scene->object_count; i++) {
-        const Object *object = &frame->scene->objects[i];
-        const CasterModel *caster = &casters[object->shape];
-        if (caster->adjacency.open_edges == 0 &&
-            !silhouette_add(&volume, &caster->mesh, &caster->adjacency, object->world_from_object,
-                            &frame->scene->lights[0]))
-            return;
-    }
+    for (int i = 0; i < frame->scene->object_count; i++)
+        add_volume(frame, i);
     draw_volume();
+}
+
+bool casters_draw_volume(const Frame *frame, int i) {
+    volume.count = 0;
+    bool closed = add_volume(frame, i);
+    if (closed)
+        draw_volume();
+    return closed;
 }

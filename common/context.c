@@ -14,6 +14,10 @@ bool context_create(ContextKind kind) {
     return routes[kind].create();
 }
 
+const char *context_route(ContextKind kind) {
+    return kind == CONTEXT_EGL ? context_egl_route() : "OSMesa";
+}
+
 void context_destroy(void) {
     for (int kind = 0; kind < CONTEXT_COUNT; kind++)
         routes[kind].destroy();

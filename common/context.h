@@ -8,3 +8,6 @@
 // framebuffer to draw into.
 bool context_create(ContextKind kind);
 void context_destroy(void); // harmless when none was created
+
+// By which way the context came: "OSMesa", "EGL surfaceless", "EGL device 0".
+const char *context_route(ContextKind kind);

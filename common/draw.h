@@ -16,7 +16,8 @@ typedef struct Frame {
     const float *knobs;      // current values, in the order of the lab's table
     GLuint framebuffer;
     int width, height;
-    bool flat_light; // the visibility view: see shaders/lighting.glsl
+    bool flat_light;  // the visibility view: see shaders/lighting.glsl
+    const char *view; // "picture", "visibility" or the name of the stage that is looked at
 } Frame;
 
 // Makes the meshes on the GPU; called once by the worker.

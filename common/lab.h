@@ -42,7 +42,7 @@ typedef struct Knob {
 } Knob;
 
 // What a pass is for. The study counts what prepares and what makes the picture apart; what only shows
-// something, as a stage or a lens, is nobody's cost.
+// something, as a stage or a lens, is nobody's cost, and is drawn when a stage is looked at.
 typedef enum PassKind { PASS_PICTURE, PASS_PREPARE, PASS_SHOW } PassKind;
 
 // One step of a frame; passes run in the order of the table. A pass sets what it needs (framebuffer,

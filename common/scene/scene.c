@@ -1,5 +1,9 @@
 #include "scene/scene.h"
 
+#include "scene/check.h"
+
+#include <math.h>
+
 // A view is steadier the farther its up vector lies from the line of sight; nearer than this (a tangent) +y
 // says nothing any more.
 static const float STRAIGHT = 1e-3f;
@@ -33,4 +37,11 @@ void light_axes(const Light *light, vec3s *right, vec3s *up) {
     mat4s view = view_from_world(light->position, light->target);
     *right = vec3_make(view.m00, view.m10, view.m20);
     *up = vec3_make(view.m01, view.m11, view.m21);
+}
+
+bool medium_check(const Medium *medium) {
+    bool sound = isfinite(medium->scattering) && isfinite(medium->extinction) && medium->scattering >= 0 &&
+                 medium->extinction >= 0;
+    return sound || check_fail("a medium of scattering %g and extinction %g: give both from 0 on",
+                               (double)medium->scattering, (double)medium->extinction);
 }

@@ -41,6 +41,14 @@ typedef struct Camera {
     float near_plane, far_plane;
 } Camera;
 
+// The dust in the air, the same everywhere up to the camera's far plane: of the light that travels dt,
+// scattering * dt is sent into all directions alike and extinction * dt is lost. Per world unit, finite, at
+// least 0; both 0: clear air. Light loses nothing on its way from a light to the dust, as it does on no way
+// to a surface.
+typedef struct Medium {
+    float scattering, extinction;
+} Medium;
+
 typedef struct Scene {
     Object objects[SCENE_MAX_OBJECTS];
     Light lights[SCENE_MAX_LIGHTS];
@@ -48,15 +56,19 @@ typedef struct Scene {
     Camera second_camera; // what the screen shows (lab 02)
     vec3s ambient;        // colour of the ambient light
     vec3s background;
+    Medium medium;
     int32_t object_count, light_count;
 } Scene;
 
 // A scene by its name with everything that may vary drawn from `random`. False for an unknown name (the
-// message lists the names).
+// message lists the names) and for a medium that medium_check refuses.
 bool scene_make(Scene *scene, const char *name, Random *random);
 
 // Name of the i-th scene, NULL past the last.
 const char *scene_name(int i);
+
+// Are both numbers of the medium finite and at least 0? False with a message.
+bool medium_check(const Medium *medium);
 
 // A camera that looks straight up or down has -z for its up vector, for +y gives no view there. So has a
 // light.

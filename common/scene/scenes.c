@@ -23,7 +23,7 @@ bool scene_make(Scene *scene, const char *name, Random *random) {
     for (int i = 0; find(i); i++) {
         if (strcmp(find(i)->name, name) == 0) {
             find(i)->make(scene, random);
-            return true;
+            return medium_check(&scene->medium);
         }
         check_append(names, sizeof names, "%s\"%s\"", i ? ", " : "", find(i)->name);
     }

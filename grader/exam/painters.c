@@ -15,8 +15,11 @@ static bool same_task(Solved a, Solved b) {
 static bool ensure_worker(Painters *painters) {
     if (painters->client.started)
         return true;
-    painters->client = (WorkerClient){
-        .folder = "-", .trust = TRUST_OURS, .context = painters->context, .quick_shaders = true};
+    painters->client = (WorkerClient){.folder = "-",
+                                      .trust = TRUST_OURS,
+                                      .context = painters->context,
+                                      .quick_shaders = !painters->measures,
+                                      .hardware = painters->measures};
     return worker_client_start(&painters->client);
 }
 

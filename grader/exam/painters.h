@@ -20,6 +20,8 @@ typedef struct Painter {
 typedef struct Painters {
     const Rubric *rubric;
     ContextKind context;
+    bool measures; // the driver may do its best, as for a submission that is measured: no quick shaders,
+                   // and by EGL the machine's GPU
     WorkerClient client; // the worker
     Painter *painters[EXAM_MAX_PAINTERS];
     int count;

@@ -6,6 +6,7 @@
 #include "compile/compiler.h"
 #include "protocol/description.h"
 #include "base/places.h"
+#include "scene/count.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -29,6 +30,20 @@ static double wall_seconds(const WorkerClient *client) {
     return client->seconds * (client->patience > 0 ? client->patience : 1);
 }
 
+// Appends what of our own environment says where EGL and its drivers are, up to `count` entries in all.
+static int add_driver_settings(char **environment, int count, int most) {
+    static const char *const names[] = {"SHADOW_LAB_EGL_DEVICE", "LD_LIBRARY_PATH",
+                                        "__EGL_VENDOR_LIBRARY_FILENAMES", "LIBGL_DRIVERS_PATH",
+                                        "LIBGL_ALWAYS_SOFTWARE"};
+    for (unsigned i = 0; i < COUNT(names); i++)
+        for (char **entry = environ; *entry; entry++) {
+            const size_t length = strlen(names[i]);
+            if (count < most && strncmp(*entry, names[i], length) == 0 && (*entry)[length] == '=')
+                environment[count++] = *entry;
+        }
+    return count;
+}
+
 bool worker_client_start(WorkerClient *client) {
     char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
     if (client->program) // of ours, and outside
@@ -40,16 +55,21 @@ bool worker_client_start(WorkerClient *client) {
     snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
     bool ours = client->trust == TRUST_OURS;
     char *arguments[] = {worker, (char *)context_name(client->context), client->folder, shaders, NULL};
-    char *environment[] = {"LP_NUM_THREADS=0",
-                           "LIBGL_ALWAYS_SOFTWARE=1",
-                           client->address ? ADDRESS_OPTIONS
-                                           : "ASAN_OPTIONS=detect_leaks=0:disable_coredump=0",
-                           "MALLOC_MMAP_THRESHOLD_=1000000000",
-                           "MALLOC_TRIM_THRESHOLD_=1000000000",
-                           "LC_ALL=C",
-                           ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true",
-                           client->quick_shaders ? "GALLIVM_PERF=nopt" : NULL,
-                           NULL};
+    enum { MOST_VARIABLES = 20 };
+    char *environment[MOST_VARIABLES + 1] = {
+        "LP_NUM_THREADS=0",
+        client->address ? ADDRESS_OPTIONS : "ASAN_OPTIONS=detect_leaks=0:disable_coredump=0",
+        "MALLOC_MMAP_THRESHOLD_=1000000000",
+        "MALLOC_TRIM_THRESHOLD_=1000000000",
+        "LC_ALL=C",
+        ours ? cache_setting : "MESA_SHADER_CACHE_DISABLE=true"};
+    int variables = 6;
+    if (client->quick_shaders)
+        environment[variables++] = "GALLIVM_PERF=nopt";
+    if (client->hardware)
+        add_driver_settings(environment, variables, MOST_VARIABLES);
+    else
+        environment[variables++] = "LIBGL_ALWAYS_SOFTWARE=1";
     JailPlan plan = {
         .kind = JAIL_DRAW, .limits = {.wall_seconds = 3600}, .folder = ours ? "/" : client->folder};
     if (client->each_turn)
@@ -129,13 +149,18 @@ static DrawResult explain_end(const WorkerClient *client, const Request *request
     return DRAW_LOST;
 }
 
+static void clean_times(float milliseconds[LAB_MAX_PASSES]) {
+    for (int i = 0; i < LAB_MAX_PASSES; i++)
+        if (!(milliseconds[i] >= 0 && milliseconds[i] < 1e9f))
+            milliseconds[i] = 0;
+}
+
 // All of it is the submission's to write.
 static void clean_reply(Reply *reply) {
     reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
     description_clean_text(reply->pass, sizeof reply->pass);
-    for (int i = 0; i < LAB_MAX_PASSES; i++)
-        if (!(reply->milliseconds[i] >= 0 && reply->milliseconds[i] < 1e9f))
-            reply->milliseconds[i] = 0;
+    clean_times(reply->milliseconds);
+    clean_times(reply->gpu_milliseconds);
     reply->facts.refused = reply->facts.refused != 0;
 }
 

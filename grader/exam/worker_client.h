@@ -26,6 +26,7 @@ typedef struct WorkerClient {
     ContextKind context;
     const char *program; // beside ours, that speaks protocol.h; NULL: the worker
     bool quick_shaders;  // compiled sooner and worse: for frames that are few and small; the same pixels
+    bool hardware;       // by EGL the machine's GPU may draw, chosen by EGL's own variables; ours only
     double seconds;      // processor time that a submission may use
     double patience;     // wall time that it may use, in units of that; 0: 1
     bool each_turn; // `seconds` is wall time and starts again with worker_client_begin, whoever draws: for a

@@ -25,6 +25,7 @@ typedef struct ChartCommand {
     bool quick, compare;
     char **compared; // two files
     bool trusted;    // no jail for the submission
+    ContextKind context;
 } ChartCommand;
 
 static const StudyScene *find_scene(const char *name) {
@@ -64,6 +65,8 @@ static const Option options[] = {
     {"submission", 0, "DIR", "its lab NN is charted, too (labs/ or the folder of one lab)", AT(submission),
      option_text},
     {"trusted", 0, NULL, "the submission is my own work: no jail", AT(trusted), option_flag},
+    {"context", 0, "C", "osmesa (default): CPU times; egl: times of the GPU that EGL finds", AT(context),
+     option_context},
     {"quick", 0, NULL, "small pictures and few frames: under a minute", AT(quick), option_flag},
     {"frames", 0, "N", "of each setting (30; 6 with --quick)", AT(frames), take_frames},
     {"size", 0, "WxH", "640x480 (320x240 with --quick)", AT(size), take_size},
@@ -80,6 +83,8 @@ static bool check(void *settings, const Operands *operands) {
         return check_fail("--compare takes two files");
     if (!command->compare && operands->count > 0)
         return check_fail("\"%s\" is not an option", operands->texts[0]);
+    if (command->submission && command->context == CONTEXT_EGL && !command->trusted)
+        return check_fail("--context egl measures a submission with --trusted only: a jail has no GPU");
     return !command->submission || command->lab[0] ||
            check_fail("--submission needs the --lab that is charted");
 }
@@ -230,6 +235,7 @@ int main(int count, char **arguments) {
                 : command.quick    ? (MetricsSize){320, 240}
                                    : (MetricsSize){640, 480};
     plan.frames = command.frames ? command.frames : command.quick ? 6 : 30;
+    plan.artists.context = command.context;
     plan.artists.submission_lab = command.lab[0] ? command.lab : NULL;
     plan.artists.submission = command.submission;
     bool ok = choose_jail(&command, &plan, &jail) && study(&command, &plan);

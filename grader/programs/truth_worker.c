@@ -1,7 +1,8 @@
 // truth_worker CONTEXT FOLDER SHADERS (started by the window; the arguments do not matter)
 //
 // Answers the requests of protocol.h with the truth: what the visibility view of a lab would show if it were
-// right: the share of the scene's lights that reach a point; with VIEW_OCCLUSION, that of the sky.
+// right: the share of the scene's lights that reach a point; with VIEW_OCCLUSION, that of the sky; where
+// there is dust in the air, the light that it sends to the eye.
 #include "scene/check.h"
 #include "base/command_line.h"
 #include "truth/metrics.h"
@@ -27,12 +28,12 @@ static float seen(const Scene *scene, const TruthHit *hit, float visibility) {
     return truth_facing(scene, hit, TRUTH_NONE) > METRICS_LEAST_FACING ? visibility : 0;
 }
 
-static void show(const Job *job, bool sky, uint8_t *pixels) {
+static void show(const Job *job, bool whole, uint8_t *pixels) {
     size_t count = (size_t)job->picture.width * (size_t)job->picture.height;
     for (size_t i = 0; i < count; i++) {
         float value =
-            sky ? job->visibility[i] : seen(&job->truth.scene, &job->picture.hits[i], job->visibility[i]);
-        memset(pixels + 4 * i, (uint8_t)lrintf(255 * value), 3);
+            whole ? job->visibility[i] : seen(&job->truth.scene, &job->picture.hits[i], job->visibility[i]);
+        memset(pixels + 4 * i, (uint8_t)lrintf(255 * fminf(value, 1)), 3);
         pixels[4 * i + 3] = 255;
     }
 }
@@ -44,12 +45,15 @@ static float ray_length(const Request *request) {
     return 0;
 }
 
+static TruthKind kind_of(const Request *request) {
+    if (request->scene.medium.scattering > 0)
+        return TRUTH_DUST;
+    return strcmp(request->view, VIEW_OCCLUSION) == 0 ? TRUTH_OCCLUSION : TRUTH_LIGHTS;
+}
+
 static bool draw(Job *job, const Request *request, uint8_t *pixels) {
-    bool sky = strcmp(request->view, VIEW_OCCLUSION) == 0;
-    TruthQuery query = {.kind = sky ? TRUTH_OCCLUSION : TRUTH_LIGHTS,
-                        .samples = SKY_RAYS,
-                        .limit = ray_length(request),
-                        .seed = 1};
+    TruthQuery query = {
+        .kind = kind_of(request), .samples = SKY_RAYS, .limit = ray_length(request), .seed = 1};
     job->visibility = calloc((size_t)request->width * (size_t)request->height, sizeof *job->visibility);
     if (!job->visibility)
         return check_fail("out of memory for the truth");
@@ -59,7 +63,7 @@ static bool draw(Job *job, const Request *request, uint8_t *pixels) {
     truth_look(&job->truth, &job->picture);
     if (!truth_trace(&job->truth, &job->picture, &query, job->visibility))
         return false;
-    show(job, sky, pixels);
+    show(job, query.kind != TRUTH_LIGHTS, pixels);
     return true;
 }
 

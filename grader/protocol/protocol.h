@@ -39,7 +39,8 @@ typedef struct Request {
     int32_t width, height;
     int32_t
         fresh; // 1: the lab makes its resources again, so that the frame does not depend on those before it
-    int32_t describe; // 1: a Description instead of a frame; what follows but `folder` does not matter
+    int32_t gpu_times; // 1: the reply tells the GPU's times, too, by timer queries
+    int32_t describe;  // 1: a Description instead of a frame; what follows but `folder` does not matter
     char folder[PROTOCOL_PATH]; // of the lab, for a worker that was not given one
     char view[LAB_MAX_NAME];    // a view above or the name of a stage
     KnobSetting knobs[LAB_MAX_KNOBS];
@@ -58,11 +59,12 @@ typedef struct Reply {
     int32_t drawn; // 1: the pixels are the lab's; 0: they are black, and `message` says why
     uint64_t
         place; // where in lab.so the crash was, or the call of which `message` tells at its end; 0: unknown
-    char pass[LAB_MAX_NAME];            // of a crash: what ran
-    float milliseconds[LAB_MAX_PASSES]; // CPU time of each pass
+    char pass[LAB_MAX_NAME];                // of a crash: what ran
+    float milliseconds[LAB_MAX_PASSES];     // CPU time of each pass
+    float gpu_milliseconds[LAB_MAX_PASSES]; // the same of the GPU, where the request asked for it
     FrameFacts facts;
     char message[PROTOCOL_TEXT]; // why it was not drawn, or the first GL error or check_fail of the frame
-    char renderer[128];          // "GL_VERSION / GL_RENDERER"
+    char renderer[128];          // "GL_VERSION / GL_RENDERER (way to it)", as context_route tells it
 } Reply;
 
 // The lab's table, for clients that do not know the lab. What a submission's worker sends is untrusted:

@@ -121,10 +121,11 @@ bool chart_page_add(FILE *file, const StudyPlan *plan, const SceneFindings *find
     json_t *truth = picture(path);
     findings_tell(findings, need, sizeof need);
     bool ok = truth && add_points(points, plan, findings);
-    json_t *all = json_pack("{s:s, s:s, s:s, s:s, s:f, s:b, s:i, s:i, s:o*, s:o}", "name", scene->name,
-                            "title", scene->title, "shows", scene->shows, "need", need, "tolerance",
-                            scene->tolerance, "edges", scene->edges, "width", plan->size.width, "height",
-                            plan->size.height, "truth", truth, "points", points);
+    json_t *all = json_pack("{s:s, s:s, s:s, s:s, s:f, s:b, s:s, s:s, s:i, s:i, s:o*, s:o}", "name",
+                            scene->name, "title", scene->title, "shows", scene->shows, "need", need,
+                            "tolerance", scene->tolerance, "edges", scene->edges, "renderer",
+                            findings->renderer, "clock", findings->on_gpu ? "GPU" : "CPU", "width",
+                            plan->size.width, "height", plan->size.height, "truth", truth, "points", points);
     fputs(is_first ? "" : ",\n", file);
     ok = ok && json_dumpf(all, file, JSON_COMPACT | JSON_REAL_PRECISION(9)) == 0;
     json_decref(all);

@@ -53,7 +53,7 @@ function axis(values, from, to, steps) {
   return {place: value => from + Math.log(value / low) / span * (to - from), ticks};
 }
 
-function drawAxes(svg, x, y) {
+function drawAxes(svg, scene, x, y) {
   const right = size.width - size.right, bottom = size.height - size.bottom,
         back = make('g', {'aria-hidden': 'true'});
   for (const tick of x.ticks)
@@ -66,7 +66,7 @@ function drawAxes(svg, x, y) {
   back.append(
       make('rect', {class: 'axis', x: size.left, y: size.top, width: right - size.left, height: bottom - size.top}),
       make('text', {x: (size.left + right) / 2, y: size.height - 8, 'text-anchor': 'middle'},
-           'CPU time of a frame, ms'),
+           `${scene.clock} time of a frame, ms; ${scene.renderer}`),
       make('text',
            {x: 14, y: size.height / 2, transform: `rotate(-90 14 ${size.height / 2})`, 'text-anchor': 'middle'},
            'error'));
@@ -183,7 +183,7 @@ function drawChart(scene, points, chosen, choose) {
                  size.width - size.right, [1, 1.5, 2, 3, 5, 7]);
   const errors = points.map(errorOf), narrow = Math.max(...errors) < 100 * Math.min(...errors);
   const y = axis(errors, size.height - size.bottom, size.top, narrow ? [1, 2, 5] : [1]);
-  drawAxes(svg, x, y);
+  drawAxes(svg, scene, x, y);
   drawFront(svg, points, x, y);
   const list = make('g', {role: 'listbox', 'aria-label': `Settings of ${scene.title}, by time`}),
         marks = points.map(p => drawPoint(p, x, y));

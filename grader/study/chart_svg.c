@@ -107,15 +107,30 @@ static void write_range(FILE *file, const SceneFindings *findings) {
     fprintf(file, "set yrange [%g:%g]\n", low / 1.5, high * 1.5);
 }
 
-static void write_axes(FILE *file, const StudyScene *scene) {
+// What gnuplot puts between double quotes: no quote, no backslash.
+static void write_quoted(FILE *file, const char *text) {
+    for (; *text; text++)
+        if (*text != '"' && *text != '\\')
+            fputc(*text, file);
+}
+
+static void write_time_axis(FILE *file, const SceneFindings *findings) {
+    fprintf(file, "set xlabel \"%s time of a frame, ms (median; bars: MAD). %s\\n",
+            findings->on_gpu ? "GPU" : "CPU",
+            findings->on_gpu ? "Another GPU may rank them otherwise." : "A GPU may rank them otherwise.");
+    write_quoted(file, findings->renderer);
+    fputs("\" noenhanced\n", file);
+}
+
+static void write_axes(FILE *file, const SceneFindings *findings) {
     fprintf(file,
             "set terminal svg size 920,560 font 'sans-serif,13' background 'white'\n"
             "set output '%s.svg'\n"
             "set title '%s'\n"
             "set logscale xy\n"
-            "set xlabel 'CPU time of a frame, ms (median; bars: MAD). A GPU may rank them otherwise.'\n"
             "set ylabel 'error: false shadow + false light, mean over the picture'\n"
-            "set xtics add (0.5, 1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 500, 700, 1000)\n"
+            "set xtics add (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, "
+            "100, 150, 200, 300, 500, 700, 1000)\n"
             "set ytics ('100 %%%%' 1, '10 %%%%' 0.1, '1 %%%%' 0.01, '0.1 %%%%' 1e-3, '0.01 %%%%' 1e-4, "
             "'0.001 %%%%' "
             "1e-5, 'none' 1e-6)\n"
@@ -123,14 +138,15 @@ static void write_axes(FILE *file, const StudyScene *scene) {
             "set grid xtics ytics lc rgb '#dddddd' lt 1 lw 1\nset key outside right top reverse Left spacing "
             "1.2\n"
             "set bars 0.5\n",
-            scene->name, scene->title);
+            findings->scene->name, findings->scene->title);
+    write_time_axis(file, findings);
 }
 
 static bool write_script(const SceneFindings *findings, const char *path) {
     FILE *file = fopen(path, "w");
     if (!file)
         return check_fail("%s: %s", path, strerror(errno));
-    write_axes(file, findings->scene);
+    write_axes(file, findings);
     write_range(file, findings);
     const char *name = findings->scene->name;
     fprintf(file, "plot '%s.dat' index 0 using 1:2 with steps lc rgb '#999999' lw 2 title 'front', \\\n",

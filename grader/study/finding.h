@@ -26,6 +26,8 @@ typedef struct SceneFindings {
     Finding findings[METHOD_MOST];
     Point points[METHOD_MOST]; // of the findings; a negative time where nothing was drawn
     int count;
+    const char *renderer; // that drew them all, as Reply has it
+    bool on_gpu;          // the times are the GPU's, not the processor's
 } SceneFindings;
 
 // Sum of false shadow and false light, in the interior and in all of the picture.

@@ -1,3 +1,5 @@
+// Starts whoever draws a lab for the study (the solution, with or without a change, or a submission), each
+// under the conditions that measuring asks for.
 #include "study/lab_artist.h"
 
 #include "scene/check.h"
@@ -17,11 +19,21 @@ static bool load(LabArtist *artist, const char *id) {
            rubric_load(&artist->rubric, folder);
 }
 
-bool lab_artist_open(LabArtist *artist, const char *id) {
-    if (!load(artist, id))
-        return false;
+static bool take_solution(LabArtist *artist) {
     artist->roster.rubric = &artist->rubric;
     return lab_artist_change(artist, NULL);
+}
+
+bool lab_artist_open(LabArtist *artist, const char *id) {
+    return load(artist, id) && take_solution(artist);
+}
+
+bool lab_artist_open_measured(LabArtist *artist, const char *id, ContextKind context) {
+    if (!load(artist, id))
+        return false;
+    artist->roster.context = context;
+    artist->roster.measures = true;
+    return take_solution(artist);
 }
 
 static bool derive(LabArtist *artist, const char *folder) {
@@ -31,13 +43,15 @@ static bool derive(LabArtist *artist, const char *folder) {
             check_fail("%s", log[0] ? log : "the submission does not compile"));
 }
 
-bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *submission, const Jail *jail) {
+bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *submission, const Jail *jail,
+                                ContextKind context) {
     char folder[FILES_PATH];
     if (!load(artist, id))
         return false;
     if (!places_find_lab_in(folder, submission, id))
         files_join(folder, submission, ".");
-    artist->client = (WorkerClient){.trust = TRUST_NOBODY, .jail = jail, .seconds = SECONDS};
+    artist->client = (WorkerClient){
+        .trust = TRUST_NOBODY, .jail = jail, .context = context, .hardware = !jail, .seconds = SECONDS};
     return derive(artist, folder);
 }
 
@@ -69,6 +83,7 @@ bool lab_artist_draw(LabArtist *artist, const Request *request, Image *image, Re
         return false;
     if (!artist->painter)
         worker_client_draw(&artist->client, request, image, reply);
+    memcpy(artist->renderer, reply->renderer, sizeof artist->renderer);
     return reply->drawn || check_fail("lab %s drew nothing: %s", artist->rubric.id, reply->message);
 }
 

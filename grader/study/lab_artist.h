@@ -11,15 +11,21 @@ typedef struct LabArtist {
     const Painter *painter; // ours: whom lab_artist_draw asks; NULL for a submission
     WorkerClient client;    // a submission's worker
     Description table;      // ours: of the lab, once lab_artist_pass_kinds asked for it
+    char renderer[128];     // as the last frame's Reply has it
 } LabArtist;
 
-// The solution of lab `id` ("05"). False with a message.
+// The solution of lab `id` ("05"), for frames that are few and small. False with a message.
 bool lab_artist_open(LabArtist *artist, const char *id);
+
+// The same for frames whose times count: under the conditions of a submission that is measured (shaders as
+// good as the driver makes them; by EGL the machine's GPU).
+bool lab_artist_open_measured(LabArtist *artist, const char *id, ContextKind context);
 
 // A submission's lab `id`; `submission` is a folder shaped like labs/ or the lab's own. It is compiled and
 // drawn in the jail, which outlives the artist (NULL: outside). False with a message (gcc's first words where
 // it does not compile).
-bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *submission, const Jail *jail);
+bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *submission, const Jail *jail,
+                                ContextKind context);
 
 // Applies the change's edits to a submission's shaders as far as their texts stand there. Before it first
 // draws. False with a message when a file cannot be written.

@@ -9,9 +9,11 @@
 
 static bool open_artist(LabArtist *artist, const LabArtists *artists, const Method *method) {
     if (method->submission)
-        return lab_artist_open_submission(artist, method->lab, artists->submission, artists->jail) &&
+        return lab_artist_open_submission(artist, method->lab, artists->submission, artists->jail,
+                                          artists->context) &&
                (!method->change || lab_artist_adapt(artist, method->change));
-    return lab_artist_open(artist, method->lab) && lab_artist_change(artist, method->change);
+    return lab_artist_open_measured(artist, method->lab, artists->context) &&
+           lab_artist_change(artist, method->change);
 }
 
 static LabArtist *hire(const LabArtists *artists, const Method *method) {

@@ -8,6 +8,7 @@ enum { CREW_MOST = 32 };
 typedef struct LabArtists {
     const char *submission_lab, *submission; // NULL: there is none
     const Jail *jail;                        // for the submission; NULL: none
+    ContextKind context;
     struct {
         LabArtist *artist;
         const char *lab;

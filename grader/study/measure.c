@@ -12,19 +12,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VERSION = 1, TURN = 3 }; // of what is measured; timed frames of a setting in a row
+enum { VERSION = 2, TURN = 3 }; // of what is measured; timed frames of a setting in a row
 
 // Passes of the solution; those of a submission's table are the same ones.
-static bool sum_passes(StudyPlan *plan, const Finding *finding, const float *milliseconds,
-                       MeasuredTime *time) {
+static bool sum_passes(StudyPlan *plan, const Finding *finding, const Reply *reply, MeasuredTime *time) {
+    const bool on_gpu = plan->artists.context == CONTEXT_EGL;
+    const float *shading = on_gpu ? reply->gpu_milliseconds : reply->milliseconds;
+    const float *preparing = on_gpu && !finding->method.by_processor ? shading : reply->milliseconds;
     Method ours = finding->method;
     ours.submission = false;
     LabArtist *artist = lab_artists_get(&plan->artists, &ours);
     const int32_t *kinds = artist ? lab_artist_pass_kinds(artist) : NULL;
     *time = (MeasuredTime){.key = finding->key};
     for (int i = 0; kinds && i < LAB_MAX_PASSES; i++) {
-        time->prepare += kinds[i] == PASS_PREPARE ? (double)milliseconds[i] : 0;
-        time->shade += kinds[i] == PASS_PICTURE ? (double)milliseconds[i] : 0;
+        time->prepare += kinds[i] == PASS_PREPARE ? (double)preparing[i] : 0;
+        time->shade += kinds[i] == PASS_PICTURE ? (double)shading[i] : 0;
     }
     return kinds != NULL;
 }
@@ -39,8 +41,8 @@ bool measure_concerns(const StudyScene *scene, const char *lab) {
 }
 
 // What is measured, as a number: the same only for the same frame of the same scene by the same code.
-static uint64_t make_key(const LabArtist *artist, const TruthView *truth_view, const StudyScene *scene,
-                         const Method *method) {
+static uint64_t make_key(const StudyPlan *plan, const LabArtist *artist, const TruthView *truth_view,
+                         const StudyScene *scene, const Method *method) {
     const TruthQuery *query = &scene->query;
     const int32_t numbers[] = {VERSION,
                                truth_view->size.width,
@@ -51,6 +53,7 @@ static uint64_t make_key(const LabArtist *artist, const TruthView *truth_view, c
                                scene->edges,
                                method->submission};
     uint64_t hash = hash_bytes(lab_artists_key(artist), numbers, sizeof numbers);
+    hash = hash_bytes(hash, plan->renderer, strlen(plan->renderer));
     hash = hash_bytes(hash, &query->area, sizeof query->area);
     hash = hash_bytes(hash, &truth_view->truth.scene, sizeof truth_view->truth.scene);
     hash = hash_bytes(hash, &method->kernel, sizeof method->kernel);
@@ -119,7 +122,7 @@ static bool find_errors(StudyPlan *plan, const TruthView *truth_view, const Stud
     LabArtist *artist = lab_artists_get(&plan->artists, &finding->method);
     if (!artist)
         return excuse(finding);
-    finding->key = make_key(artist, truth_view, scene, &finding->method);
+    finding->key = make_key(plan, artist, truth_view, scene, &finding->method);
     pictures_frame_path(path, plan->output, finding->key);
     const MeasuredErrors *known = measurements_errors(&plan->state, finding->key);
     finding->drawn = known && files_exists(path);
@@ -134,11 +137,12 @@ static bool time_frame(StudyPlan *plan, const TruthView *truth_view, Finding *fi
     static Image image;
     Setting setting = finding->method.setting;
     setting.view = VIEW_PICTURE;
-    const Request request = truth_view_request(truth_view, &setting);
+    Request request = truth_view_request(truth_view, &setting);
+    request.gpu_times = plan->artists.context == CONTEXT_EGL;
     if (!lab_artist_draw(lab_artists_get(&plan->artists, &finding->method), &request, &image, &reply))
         return false;
     MeasuredTime time;
-    return sum_passes(plan, finding, reply.milliseconds, &time) &&
+    return sum_passes(plan, finding, &reply, &time) &&
            (!counts || measurements_add_time(&plan->state, &time));
 }
 
@@ -254,8 +258,12 @@ bool measure_scene(StudyPlan *plan, const StudyScene *scene, SceneFindings *find
     list_methods(plan, scene, findings);
     scene->make(&made);
     LabArtist *artist = lab_artists_get(&plan->artists, &findings->findings[0].method);
-    bool ok = artist && truth_view_create(&truth_view, &made, plan->size, &scene->query, artist) &&
-              write_truth(plan, &truth_view, scene) && measure_ground(plan, &truth_view, findings);
+    bool ok = artist && truth_view_create(&truth_view, &made, plan->size, &scene->query, artist);
+    if (ok) // by the frame of the triangles
+        memcpy(plan->renderer, artist->renderer, sizeof plan->renderer);
+    findings->renderer = plan->renderer;
+    findings->on_gpu = plan->artists.context == CONTEXT_EGL;
+    ok = ok && write_truth(plan, &truth_view, scene) && measure_ground(plan, &truth_view, findings);
     truth_view_destroy(&truth_view);
     return ok;
 }

@@ -13,6 +13,7 @@ typedef struct StudyPlan {
     int frames;         // of each setting
     const char *output; // folder; pictures go to output/frames/KEY.png
     LabArtists artists;
+    char renderer[128]; // that draws, as Reply has it; known once a scene was measured
     Measurements state;
     ProgressBar bar;
 } StudyPlan;

@@ -14,7 +14,7 @@ typedef struct MeasuredErrors {
 
 typedef struct MeasuredTime {
     uint64_t key;
-    double prepare, shade; // CPU time of a frame: what comes before the picture, and the picture; ms
+    double prepare, shade; // CPU or GPU time of a frame: what comes before the picture, and the picture; ms
 } MeasuredTime;
 
 typedef struct MeasuredError {

@@ -26,6 +26,7 @@ typedef struct Method {
     int taps;             // lookups of a pixel
     int first;            // early-out: the taps after which it may stop; 0: none
     bool volumes;         // draws shadow volumes
+    bool by_processor;    // what comes before the picture is worked out without the GPU, as a bake's rays are
     // Adds what only its lab can count to the cost; NULL: nothing.
     void (*add_cost)(Cost *cost, const struct Method *method, const Scene *scene);
     bool submission;

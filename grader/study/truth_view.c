@@ -54,7 +54,7 @@ static bool draw_primitives(TruthView *truth_view, LabArtist *artist) {
 
 // By which light a pixel must be faced to count.
 static float facing(const TruthView *truth_view, const TruthQuery *query, const TruthHit *hit) {
-    if (query->kind == TRUTH_OCCLUSION)
+    if (query->kind == TRUTH_OCCLUSION || query->kind == TRUTH_DUST)
         return hit->object == TRUTH_NONE ? -1 : 1;
     return truth_facing(&truth_view->truth.scene, hit,
                         query->kind == TRUTH_LIGHTS ? TRUTH_NONE : query->light);

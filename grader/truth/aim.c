@@ -62,18 +62,25 @@ static int strata_across(int samples) {
     return across;
 }
 
+// Is this stratum of the query's part? Each part has strata from everywhere.
+static bool is_part(const TruthQuery *query, int column, int row) {
+    int side = query->parts > 0 ? (int)lrintf(sqrtf((float)query->parts)) : 1;
+    return row % side * side + column % side == query->part;
+}
+
 static int aim_samples(const TruthQuery *query, const Light *light, int tile, Aim *aims) {
     // The tile's number is put through the generator once: neighbouring seeds share most of their sequence.
     Random random = {query->seed + (uint64_t)tile * 0xd1342543de82ef95u};
     random.state = random_next(&random);
-    int across = strata_across(query->samples), down = query->samples / across;
+    int across = strata_across(query->samples), down = query->samples / across, count = 0;
     for (int row = 0; row < down; row++)
         for (int column = 0; column < across; column++) {
             float x = ((float)column + random_range(&random, 0, 1)) / (float)across;
             float y = ((float)row + random_range(&random, 0, 1)) / (float)down;
-            *aims++ = aim_sample(query, light, (vec2s){{x, y}});
+            if (is_part(query, column, row))
+                aims[count++] = aim_sample(query, light, (vec2s){{x, y}});
         }
-    return query->samples;
+    return count;
 }
 
 int aim_all(const Scene *scene, const TruthQuery *query, int tile, Aim *aims) {

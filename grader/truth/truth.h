@@ -20,6 +20,7 @@
 enum {
     TRUTH_NONE = -1,          // no object
     TRUTH_MAX_SAMPLES = 4096, // of a query
+    TRUTH_MAX_ACROSS = 16,    // of a pixel
     TRUTH_THREADS = 2
 };
 
@@ -51,7 +52,8 @@ typedef enum TruthKind {
     TRUTH_LIGHTS,    // the mean of that over the scene's lights
     TRUTH_DISC,      // the share of an area light that is seen, by its area
     TRUTH_RECTANGLE, // the same
-    TRUTH_OCCLUSION  // 1 - cosine-weighted ambient occlusion, around the triangle's normal
+    TRUTH_OCCLUSION, // 1 - cosine-weighted ambient occlusion, around the triangle's normal
+    TRUTH_DUST       // what the dust before the point sends to the eye of light `light`: see truth/dust.h
 } TruthKind;
 
 // A flat light: its points are center + a * right + b * up, with |a|, |b| <= 1 for a rectangle and a^2 + b^2
@@ -63,12 +65,14 @@ typedef struct TruthArea {
 // Samples are stratified and drawn again for each tile of 4 x 4 pixels, whose pixels share them.
 typedef struct TruthQuery {
     TruthKind kind;
-    int light;       // TRUTH_LIGHT
+    int light;       // TRUTH_LIGHT, TRUTH_DUST
     TruthArea area;  // TRUTH_DISC, TRUTH_RECTANGLE
     int samples;     // rays a pixel, 1..TRUTH_MAX_SAMPLES (and a light, if one has an extent): area light and
                      // occlusion
     float limit;     // TRUTH_OCCLUSION: length of the rays, world units; 0: no limit
     uint64_t seed;   // the same seed gives the same bytes
+    int parts, part; // area light and occlusion, `parts` a square of a whole number that divides the grid of
+                     // strata: only the part-th of so many shares of them; 0: all
     bool one_by_one; // the same rays one at a time, for comparison
 } TruthQuery;
 
@@ -84,8 +88,20 @@ void truth_picture_destroy(TruthPicture *picture); // accepts a zeroed picture
 // plane.
 void truth_look(const Truth *truth, TruthPicture *picture);
 
+// Where in its pixel a ray passes: in stratum `part` of a grid of `across` x `across`, at a random place that
+// differs from pixel to pixel. Each pixel counts its strata in another order, so that what else goes by
+// `part` (TruthQuery) goes with each place alike; `across` is a power of two, at most TRUTH_MAX_ACROSS.
+typedef struct TruthPlace {
+    int across, part;
+    uint64_t seed;
+} TruthPlace;
+
+// As truth_look, but through these places in the pixels.
+void truth_look_within(const Truth *truth, TruthPicture *picture, const TruthPlace *place);
+
 // Visibility in 0..1 of each pixel of the picture, 0 for the background (the labs' visibility view is black
-// there). False with a message for a light that the scene does not have or a number of samples out of range.
+// there) but for dust. False with a message for a light that the scene does not have, a number of samples out
+// of range, a medium that medium_check refuses.
 bool truth_trace(const Truth *truth, const TruthPicture *picture, const TruthQuery *query, float *visibility);
 
 // Do the lights of the query need samples, since one of them has an extent?

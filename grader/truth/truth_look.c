@@ -1,32 +1,46 @@
 // Primary rays.
+#include "scene/check.h"
+#include "truth/primary.h"
 #include "truth/tile.h"
 #include "truth/truth.h"
 
 #include <embree3/rtcore.h>
 
-// The direction through a point of the picture is forward + x * right + y * up, x and y in -1..1: one unit of
-// depth long, so that a ray's length is the depth that GL clips at.
-typedef struct PrimaryRays {
+typedef struct Look {
     const Truth *truth;
     TruthPicture *picture;
-    vec3s right, up, forward;
-} PrimaryRays;
+    const TruthPlace *place; // NULL: the middle
+    PrimaryRays primary;
+} Look;
 
-static PrimaryRays make_rays(const Truth *truth, TruthPicture *picture) {
-    const Camera *camera = &truth->scene.camera;
+PrimaryRays primary_rays(const Camera *camera, int width, int height) {
     mat4s view = camera_view_from_world(camera);
-    mat4s clip = camera_clip_from_view(camera, (float)picture->width / (float)picture->height);
+    mat4s clip = camera_clip_from_view(camera, (float)width / (float)height);
     vec3s right = vec3_make(view.m00, view.m10, view.m20), up = vec3_make(view.m01, view.m11, view.m21);
-    return (PrimaryRays){.truth = truth,
-                         .picture = picture,
+    return (PrimaryRays){.width = width,
+                         .height = height,
                          .right = glms_vec3_divs(right, clip.m00),
                          .up = glms_vec3_divs(up, clip.m11),
                          .forward = vec3_make(-view.m02, -view.m12, -view.m22)};
 }
 
-static vec3s direction_of(const PrimaryRays *primary, int column, int row) {
-    float x = ((float)column + 0.5f) / (float)primary->picture->width * 2 - 1;
-    float y = 1 - ((float)row + 0.5f) / (float)primary->picture->height * 2;
+// Where in the pixel, 0..1.
+static vec2s place_in(const TruthPlace *place, uint64_t pixel) {
+    if (!place)
+        return (vec2s){{0.5f, 0.5f}};
+    int strata = place->across * place->across;
+    Random order = {place->seed + pixel * 0xd1342543de82ef95u};
+    int stratum = place->part ^ (int)(random_next(&order) % (uint64_t)strata);
+    Random random = {random_next(&order) + (uint64_t)place->part * 0x9fb21c651e98df25u};
+    random.state = random_next(&random); // neighbouring seeds share most of their sequence
+    float x = (float)(stratum % place->across) + random_range(&random, 0, 1);
+    float y = (float)(stratum / place->across) + random_range(&random, 0, 1);
+    return glms_vec2_divs((vec2s){{x, y}}, (float)place->across);
+}
+
+vec3s primary_direction(const PrimaryRays *primary, int column, int row, vec2s within) {
+    float x = ((float)column + within.x) / (float)primary->width * 2 - 1;
+    float y = 1 - ((float)row + within.y) / (float)primary->height * 2;
     return glms_vec3_add(primary->forward,
                          glms_vec3_add(glms_vec3_scale(primary->right, x), glms_vec3_scale(primary->up, y)));
 }
@@ -57,14 +71,15 @@ static TruthHit make_hit(const Truth *truth, unsigned object, unsigned triangle,
 }
 
 static void look_tile(const Tile *tile, void *context) {
-    const PrimaryRays *primary = context;
-    const Camera *camera = &primary->truth->scene.camera;
+    const Look *look = context;
+    const Camera *camera = &look->truth->scene.camera;
     struct RTCRayHit16 rays = {0};
     struct RTCIntersectContext with;
     rtcInitIntersectContext(&with);
     with.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     for (int i = 0; i < TILE_LANES; i++) {
-        vec3s direction = direction_of(primary, tile->column[i], tile->row[i]);
+        vec2s within = place_in(look->place, tile->pixel[i]);
+        vec3s direction = primary_direction(&look->primary, tile->column[i], tile->row[i], within);
         rays.ray.org_x[i] = camera->eye.x, rays.ray.org_y[i] = camera->eye.y,
         rays.ray.org_z[i] = camera->eye.z;
         rays.ray.dir_x[i] = direction.x, rays.ray.dir_y[i] = direction.y, rays.ray.dir_z[i] = direction.z;
@@ -72,17 +87,29 @@ static void look_tile(const Tile *tile, void *context) {
         rays.ray.mask[i] = ~0u;
         rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect16(tile->inside, primary->truth->tree, &with, &rays);
+    rtcIntersect16(tile->inside, look->truth->tree, &with, &rays);
     for (int i = 0; i < TILE_LANES; i++)
         if (tile->inside[i])
-            primary->picture->hits[tile->pixel[i]] =
+            look->picture->hits[tile->pixel[i]] =
                 rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID
                     ? (TruthHit){.object = TRUTH_NONE, .triangle = TRUTH_NONE}
-                    : make_hit(primary->truth, rays.hit.geomID[i], rays.hit.primID[i], rays.hit.u[i],
+                    : make_hit(look->truth, rays.hit.geomID[i], rays.hit.primID[i], rays.hit.u[i],
                                rays.hit.v[i]);
 }
 
+static void look(const Truth *truth, TruthPicture *picture, const TruthPlace *place) {
+    PrimaryRays primary = primary_rays(&truth->scene.camera, picture->width, picture->height);
+    Look look = {truth, picture, place, primary};
+    tile_each(picture->width, picture->height, look_tile, &look);
+}
+
 void truth_look(const Truth *truth, TruthPicture *picture) {
-    PrimaryRays primary = make_rays(truth, picture);
-    tile_each(picture->width, picture->height, look_tile, &primary);
+    look(truth, picture, NULL);
+}
+
+void truth_look_within(const Truth *truth, TruthPicture *picture, const TruthPlace *place) {
+    INVARIANT(place->across >= 1 && place->across <= TRUTH_MAX_ACROSS &&
+              !(place->across & (place->across - 1)));
+    INVARIANT(place->part >= 0 && place->part < place->across * place->across);
+    look(truth, picture, place);
 }

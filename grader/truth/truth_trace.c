@@ -1,6 +1,7 @@
 // Rays from the pixels to the lights, in packets of a tile.
 #include "truth/aim.h"
 #include "scene/check.h"
+#include "truth/dust.h"
 #include "truth/tile.h"
 #include "truth/truth.h"
 
@@ -139,7 +140,7 @@ static void trace_tile(const Tile *tile, void *context) {
 }
 
 static bool check_lights(const Scene *scene, const TruthQuery *query) {
-    if (query->kind == TRUTH_LIGHT)
+    if (query->kind == TRUTH_LIGHT || query->kind == TRUTH_DUST)
         return (query->light >= 0 && query->light < scene->light_count) ||
                check_fail("the scene has no light %d; it has %d", query->light, scene->light_count);
     return query->kind != TRUTH_LIGHTS || scene->light_count > 0 || check_fail("the scene has no light");
@@ -148,6 +149,8 @@ static bool check_lights(const Scene *scene, const TruthQuery *query) {
 static bool check_query(const Scene *scene, const TruthQuery *query) {
     if (!check_lights(scene, query))
         return false;
+    if (query->kind == TRUTH_DUST)
+        return medium_check(&scene->medium);
     bool lights = query->kind == TRUTH_LIGHT || query->kind == TRUTH_LIGHTS;
     if (lights && !truth_is_wide(scene, query))
         return true;
@@ -160,6 +163,10 @@ bool truth_trace(const Truth *truth, const TruthPicture *picture, const TruthQue
                  float *visibility) {
     if (!check_query(&truth->scene, query))
         return false;
+    if (query->kind == TRUTH_DUST) {
+        dust_trace(truth, picture, query->light, visibility);
+        return true;
+    }
     Trace trace = {.truth = truth, .picture = picture, .query = query, .visibility = visibility};
     tile_each(picture->width, picture->height, trace_tile, &trace);
     return true;

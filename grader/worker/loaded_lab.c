@@ -4,6 +4,7 @@
 
 #include "base/limits.h"
 #include "worker/primitives_view.h"
+#include "worker/quantise.h"
 #include "scene/shader_source.h"
 
 #include <dlfcn.h>
@@ -150,7 +151,41 @@ static float cpu_milliseconds(void) {
     return (float)((double)(now.tv_sec % 100000) * 1e3 + (double)now.tv_nsec / 1e6);
 }
 
-static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) {
+// The times of the GPU, read when all passes are done, so that no pass waits for the query of another one.
+static void read_timers(const GLuint *timers, int count, float *milliseconds) {
+    for (int i = 0; i < count; i++) {
+        GLuint64 nanoseconds = 0;
+        glGetQueryObjectui64v(timers[i], GL_QUERY_RESULT, &nanoseconds);
+        milliseconds[i] = (float)((double)nanoseconds / 1e6);
+    }
+}
+
+// What only shows a stage need not be drawn for the picture.
+static bool is_seen(const Pass *pass, const char *view) {
+    return pass->kind != PASS_SHOW ||
+           (strcmp(view, VIEW_PICTURE) != 0 && strcmp(view, VIEW_VISIBILITY) != 0 &&
+            strcmp(view, VIEW_PRIMITIVES) != 0);
+}
+
+static float run_pass(const Pass *pass, const Frame *frame, GLuint timer) {
+    const float start = cpu_milliseconds();
+    set_running(pass->name);
+    if (timer)
+        glBeginQuery(GL_TIME_ELAPSED, timer);
+    if (is_seen(pass, frame->view))
+        pass->draw(frame);
+    if (timer)
+        glEndQuery(GL_TIME_ELAPSED);
+    glFinish();
+    return cpu_milliseconds() - start;
+}
+
+// With `gpu_times` the passes are timed on the GPU, too.
+static void run_passes(const Lab *lab, const Frame *frame, bool gpu_times, Reply *reply) {
+    GLuint timers[LAB_MAX_PASSES] = {0};
+    int count = 0;
+    if (gpu_times)
+        glGenQueries(LAB_MAX_PASSES, timers);
     gl_reset();
     frame_bind(frame);
     glDrawBuffer(GL_COLOR_ATTACHMENT0); // of the picture, in which an earlier frame may have left others
@@ -158,32 +193,13 @@ static void run_passes(const Lab *lab, const Frame *frame, float *milliseconds) 
     vec3s background = frame->flat_light ? vec3_make(0, 0, 0) : frame->scene->background;
     glClearColor(background.x, background.y, background.z, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-    for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++) {
-        float start = cpu_milliseconds();
-        set_running(lab->passes[i].name);
-        lab->passes[i].draw(frame);
-        glFinish();
-        milliseconds[i] = cpu_milliseconds() - start;
-    }
+    for (; count < LAB_MAX_PASSES && lab->passes[count].name; count++)
+        reply->milliseconds[count] = run_pass(&lab->passes[count], frame, timers[count]);
     set_running(NOTHING);
-}
-
-static uint8_t quantise_channel(float value) {
-    float clamped = value < 0 ? 0 : value > 1 ? 1 : value;
-    return (uint8_t)lrintf(clamped * 255);
-}
-
-// 8 bits a channel, top row first; a pixel with a NaN or an infinity gets alpha 0.
-static void quantise(const float *colors, uint8_t *pixels, int width, int height) {
-    for (int y = 0; y < height; y++)
-        for (int x = 0; x < width; x++) {
-            const float *from = colors + 4 * ((size_t)(height - 1 - y) * (size_t)width + (size_t)x);
-            uint8_t *to = pixels + 4 * ((size_t)y * (size_t)width + (size_t)x);
-            bool finite = isfinite(from[0]) && isfinite(from[1]) && isfinite(from[2]);
-            for (int c = 0; c < 3; c++)
-                to[c] = finite ? quantise_channel(from[c]) : 0;
-            to[3] = finite ? 255 : 0;
-        }
+    if (!gpu_times)
+        return;
+    read_timers(timers, count, reply->gpu_milliseconds);
+    glDeleteQueries(LAB_MAX_PASSES, timers);
 }
 
 static bool read_pixels(const Target *target, uint8_t *pixels) {
@@ -225,10 +241,11 @@ bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *re
                    .knobs = hosted->knobs,
                    .width = request->width,
                    .height = request->height,
-                   .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0};
+                   .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0,
+                   .view = request->view};
     if (!ensure_created(hosted, request, &frame))
         return false;
-    run_passes(hosted->lab, &frame, reply->milliseconds);
+    run_passes(hosted->lab, &frame, request->gpu_times, reply);
     reply->facts.refused = gl_refused();
     return show_view(hosted, view, request, &frame, &reply->facts, pixels);
 }

@@ -21,6 +21,7 @@
 
 static struct {
     bool ready; // the context is there
+    ContextKind context;
     const char *lab_folder, *shader_folder;
     StageView stage_view;
 } worker;
@@ -56,8 +57,9 @@ static void fill_reply(Reply *reply, bool drawn) {
         check_append(reply->message, sizeof reply->message, "%s%s", reply->message[0] ? "; " : "",
                      gl_error());
     if (glad_glGetString)
-        snprintf(reply->renderer, sizeof reply->renderer, "%s / %s", (const char *)glGetString(GL_VERSION),
-                 (const char *)glGetString(GL_RENDERER));
+        snprintf(reply->renderer, sizeof reply->renderer, "%s / %s (%s)",
+                 (const char *)glGetString(GL_VERSION), (const char *)glGetString(GL_RENDERER),
+                 context_route(worker.context));
 }
 
 static bool perform(const Request *request, Reply *reply, void *payload) {
@@ -98,8 +100,7 @@ static void spread_names(void) {
 }
 
 static bool start(const char *context) {
-    ContextKind kind;
-    if (!context_parse(&kind, context) || !context_create(kind))
+    if (!context_parse(&worker.context, context) || !context_create(worker.context))
         return false;
     spread_names();
     return draw_create() && stage_view_create(&worker.stage_view);

@@ -9,7 +9,7 @@ enum { PROGRAM_SPLIT, PROGRAM_VOLUME, PROGRAM_CPU_VOLUME, PROGRAM_TEXTURE, PROGR
 static struct {
     GLuint framebuffer; // task 7.1, with these three attached, as large as the frame
     GLuint ambient, diffuse_specular, depth_stencil;
-    FrameView view; // for the stages "stencil counts", "last rows" and "haze"
+    FrameView view; // for the stages
 } state;
 
 static bool create_target(const Frame *frame) {
@@ -92,9 +92,9 @@ static void draw_light(const Frame *frame) {
 }
 
 static void show_stages(const Frame *frame) {
-    frame_view_draw(&state.view, frame, &frame->programs[PROGRAM_CONSTANT]);
+    frame_view_draw(&state.view, frame, state.framebuffer, &frame->programs[PROGRAM_CONSTANT]);
     frame_view_draw_haze(&state.view, frame, state.framebuffer, &frame->programs[PROGRAM_VOLUME],
-                         clip_from_world(frame));
+                         &frame->programs[PROGRAM_CONSTANT], clip_from_world(frame));
 }
 
 const Lab lab = {
@@ -110,11 +110,7 @@ const Lab lab = {
                {"volumes", draw_volumes, PASS_PREPARE},
                {"light", draw_light},
                {"stages", show_stages, PASS_SHOW}},
-    .stages = {{"ambient", &state.ambient},
-               {"diffuse and specular", &state.diffuse_specular},
-               {"stencil counts", &state.view.counts.color},
-               {"last rows", &state.view.rows.color},
-               {"haze", &state.view.haze.color}},
+    .stages = {{"diffuse and specular", &state.diffuse_specular}, FRAME_VIEW_STAGES(state.view)},
     .create = create,
     .destroy = destroy,
 };

@@ -136,8 +136,8 @@ static void make_short_sight(Scene *scene, Random *random) {
                 part_color(random));
 }
 
-// A fly close before the lamp: its faces are tiny, its shadow is not. A number above 0 that is small for a
-// box is large for it.
+// A fly close before the lamp, seen from near: its faces are tiny, its shadow is not. A number above 0 that
+// is small for a box is large for it.
 static void make_fly(Scene *scene, Random *random) {
     const float half = random_range(random, 0.003f, 0.004f), away = 6 * half;
     part_begin(scene, random);
@@ -148,6 +148,10 @@ static void make_fly(Scene *scene, Random *random) {
     part_object(scene, SHAPE_BOX, fly, vec3_make(half, half, half), random_range(random, 0, 90),
                 part_color(random));
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
+    vec3s view = glms_vec3_normalize(glms_vec3_sub(fly, scene->camera.eye));
+    scene->camera.eye = glms_vec3_sub(fly, glms_vec3_scale(view, 16 * half));
+    scene->camera.target = fly;
+    scene->camera.near_plane = half;
 }
 
 // Open sheets under a steep camera: nothing casts a volume, and something is in the last rows of the picture.

@@ -94,6 +94,8 @@ void emit_caps(vec3 a, vec3 b, vec3 c) {
 #endif
 }
 
+#include "fins.glsl" // for the stage "fins"
+
 void main() {
     vec3 a = v_position_world[0], b = v_position_world[2], c = v_position_world[4];
     if (!faces_light(a, b, c))

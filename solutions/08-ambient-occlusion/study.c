@@ -46,6 +46,7 @@ static void add_baked(MethodList *list, int density, int rays) {
     setting_knob(&method->setting, "texel density", (float)density);
     setting_knob(&method->setting, "rays", (float)rays);
     method->add_cost = add_bake;
+    method->by_processor = true;
 }
 
 static void add_methods(MethodList *list, const char *scene) {

@@ -13,7 +13,7 @@ static void attack(const Frame *frame) {
     static ForgedReply reply = {.magic = 0x32424c53, .drawn = 1, .place = 1};
     static unsigned char pixels[1 << 16];
     for (int i = 0; i < LAB_MAX_PASSES; i++)
-        reply.milliseconds[i] = i == 0 ? NAN : i == 1 ? -1 : INFINITY;
+        reply.milliseconds[i] = reply.gpu_milliseconds[i] = i == 0 ? NAN : i == 1 ? -1 : INFINITY;
     memset(reply.renderer, 'x', sizeof reply.renderer);
     memset(pixels, 255, sizeof pixels);
     send_all(&reply, sizeof reply);

@@ -143,7 +143,8 @@ static const char *judge_frame(const AttackCase *one, DrawResult result) {
     if (strstr(message, "GOT THROUGH"))
         return "an attack got through";
     for (int i = 0; i < LAB_MAX_PASSES; i++)
-        if (!(one->reply.milliseconds[i] >= 0 && isfinite(one->reply.milliseconds[i])))
+        if (!(one->reply.milliseconds[i] >= 0 && isfinite(one->reply.milliseconds[i]) &&
+              one->reply.gpu_milliseconds[i] >= 0 && isfinite(one->reply.gpu_milliseconds[i])))
             return "its times are no times";
     if (memchr(one->reply.renderer, '\0', sizeof one->reply.renderer) == NULL)
         return "the renderer's name does not end";

@@ -66,6 +66,41 @@ echo "int" >"$right/05-pcf/lab.c"
 studies --scene volumes --lab 05 --submission "$right" --output "$work/one"
 expect "a submission that does not compile" 0 "not drawn: " "lab.c"
 
+# Ours and a submission are measured under one condition: neither worker is told to compile shaders in haste.
+right=$(solved same 05)
+"$chart" --size 64x48 --frames 40 --scene edges --lab 05 --submission "$right" --trusted --output "$work/same" >/dev/null 2>&1 &
+pid=$!
+for _ in $(seq 600); do
+    mapfile -t workers < <(pgrep -P $pid -x worker)
+    ((${#workers[@]} > 2)) && break
+    sleep 0.05
+done
+for worker in "${workers[@]}"; do
+    tr '\0' '\n' <"/proc/$worker/environ" | grep -v '^MESA_SHADER_CACHE' | sort
+    echo --
+done >"$work/environments"
+kill -9 $pid
+wait $pid 2>/dev/null
+kinds=$(python3 -c 'import sys; print(len(set(filter(None, sys.stdin.read().split("--\n")))))' <"$work/environments")
+[[ ${#workers[@]} -gt 2 && $kinds == 1 ]] && ok || bad "all workers of a study have one environment" "$(cat "$work/environments")"
+grep -q GALLIVM_PERF "$work/environments" && bad "shaders that are measured are compiled in haste" || ok
+
+# By EGL: times of its renderer, which is named with the way to it; a jail has no GPU.
+studies --scene edges --context egl --output "$work/egl"
+expect "a study by EGL" 0 "edges: "
+grep -q '"renderer":"[^"]*(EGL [a-z]*[^"]*)","clock":"GPU"' "$work/egl/chart.html" && ok || bad "the page names the renderer and the clock"
+[[ $(table "$work/egl/chart.csv" 'all(float(r["ms"]) > 0 for r in rows)') == True ]] && ok || bad "EGL's timers tell times"
+export SHADOW_LAB_EGL_DEVICE=0
+studies --scene edges --context egl --output "$work/device"
+grep -q '(EGL device 0)' "$work/device/chart.html" && ok || bad "a device of EGL is chosen" "$out"
+[[ $(cut -d, -f1-5,13-20 "$work/egl/chart.csv") == $(cut -d, -f1-5,13-20 "$work/device/chart.csv") ]] && ok || bad "both ways draw the same"
+export SHADOW_LAB_EGL_DEVICE=70
+studies --scene edges --context egl --output "$work/device"
+expect "a device that is not there" 1 'SHADOW_LAB_EGL_DEVICE is "70"; EGL lists '
+unset SHADOW_LAB_EGL_DEVICE
+studies --scene edges --lab 05 --context egl --submission "$right" --output "$work/egl"
+expect "a submission by EGL" 2 "--trusted only"
+
 studies --scene nowhere
 expect "unknown scene" 2 'there is no scene "nowhere"' "penumbra"
 studies --submission labs
