@@ -43,11 +43,15 @@ static bool is_to_blame(const Class *class, const Report *report) {
 
 static bool grade_entry(Class *class, const RosterEntry *entry, Report *report) {
     char path[FILES_PATH];
-    files_join(path, class->roster.folder, entry->name);
+    bool made;
     if (!class->ready)
         class->ready = run_settings_session(&class->plan, &class->jail, &class->session);
-    return class->ready && session_grade(&class->session, path, report) && is_to_blame(class, report) &&
-           submission_record_write(class->settings->output, entry, report);
+    bool ok = class->ready && roster_fetch(&class->roster, entry, path, &made) &&
+              session_grade(&class->session, path, report) && is_to_blame(class, report) &&
+              submission_record_write(class->settings->output, entry, report);
+    if (class->ready && made)
+        files_remove(path);
+    return ok;
 }
 
 static void work(Outcome *outcome, void *context) {
@@ -146,9 +150,7 @@ static void print_list(const Roster *roster) {
 
 static void note_ignored(const Roster *roster) {
     for (int i = 0; i < roster->ignored_count; i++)
-        fprintf(stderr,
-                "grade: ignored: \"%s\" is neither a folder nor an archive (.zip, .tar.gz), or hidden\n",
-                roster->ignored[i]);
+        fprintf(stderr, "grade: ignored: \"%s\" %s\n", roster->ignored[i].name, roster->ignored[i].why);
 }
 
 static bool grade_in_jail(Class *class) {
@@ -189,7 +191,7 @@ bool class_run(const ClassSettings *settings) {
     static Class class;
     class.settings = settings;
     class.plan.lock = -1;
-    bool ok = roster_read(&class.roster, settings->folder);
+    bool ok = roster_read(&class.roster, settings->folder, settings->output, settings->all_attempts);
     if (ok && settings->list) {
         print_list(&class.roster);
     } else if (ok && grade_class(&class)) {

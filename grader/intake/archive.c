@@ -7,14 +7,18 @@
 #include <strings.h>
 #include <sys/statvfs.h>
 
-bool archive_is_name(const char *name) {
-    static const char *const ends[] = {".zip",    ".tar", ".tar.gz", ".tgz",     ".tar.bz2", ".tbz", ".tbz2",
-                                       ".tar.xz", ".txz", ".7z",     ".tar.zst", ".tzst",    ".rar"};
+size_t archive_stem(const char *name) {
+    static const char *const ends[] = {".tar.gz", ".tar.bz2", ".tar.xz", ".tar.zst", ".zip", ".tar", ".tgz",
+                                       ".tbz",    ".tbz2",    ".txz",    ".tzst",    ".7z",  ".rar"};
     const size_t length = strlen(name);
     for (size_t i = 0; i < COUNT(ends); i++)
         if (length > strlen(ends[i]) && strcasecmp(name + length - strlen(ends[i]), ends[i]) == 0)
-            return true;
-    return false;
+            return length - strlen(ends[i]);
+    return length;
+}
+
+bool archive_is_name(const char *name) {
+    return name[archive_stem(name)] != '\0';
 }
 
 // Room for what an archive may hold, and twice as much. Without it a good archive would be refused.

@@ -80,6 +80,8 @@ static const Option options[] = {
      AT(class.folder), option_text},
     {NULL, 'j', "N", "submissions at a time (default: one a processor)", AT(class.jobs), take_jobs},
     {"resume", 0, NULL, "go on with the run in OUT; what is graded stays", AT(class.resume), option_flag},
+    {"all-attempts", 0, NULL, "grade each attempt; else the newest of each student", AT(class.all_attempts),
+     option_flag},
     {"only", 0, "NAME", "grade only this one (again) and gather nothing; may be repeated", AT(class),
      take_only},
     {"gather", 0, NULL, "grade nothing; make grades.csv and index.html from the results", AT(class.gather),
