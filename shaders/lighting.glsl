@@ -2,7 +2,8 @@
 // a shadow leaves (ambient) and the part that it takes away (diffuse and specular).
 //
 // The visibility view sets u_flat_light: then the ambient part is black and the other part white wherever the
-// surface faces the light, so that the picture shows nothing but the shadow.
+// surface faces the light, so that the picture shows nothing but the shadow. Several lights share the white:
+// their sum is at most 1.
 
 #include "lights.glsl"
 
@@ -16,7 +17,7 @@ vec3 phong_diffuse_specular(int i, vec3 position_world, vec3 normal_world) {
     vec3 normal = normalize(normal_world);
     float facing = dot(normal, to_light);
     if (u_flat_light)
-        return vec3(facing > 0.05 ? 1.0 : 0.0);
+        return vec3(facing > 0.05 ? 1.0 / float(u_light_count) : 0.0);
     if (facing <= 0.0)
         return vec3(0.0);
     vec3 to_eye = normalize(u_eye_world - position_world);

@@ -1,6 +1,8 @@
 #version 410 core
 // Places an object in the world and on the screen.
 
+#include "face_number.glsl"
+
 layout(location = 0) in vec3 a_position;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec2 a_uv;
@@ -13,12 +15,6 @@ out vec3 v_position_world;
 out vec3 v_normal_world;
 out vec2 v_uv;
 flat out int v_face; // of flat shapes: the number of the face among all faces, six an object
-
-// +x, -x, +y, -y, +z, -z in object space: 0 to 5.
-int face_number(vec3 normal) {
-    int axis = abs(normal.x) > 0.5 ? 0 : abs(normal.y) > 0.5 ? 1 : 2;
-    return 2 * axis + (normal[axis] < 0.0 ? 1 : 0);
-}
 
 void main() {
     vec4 position_world = u_world_from_object * vec4(a_position, 1.0);

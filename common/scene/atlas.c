@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-// The number that shaders/scene.vert gives a face by its normal in object space.
+// The number that shaders/face_number.glsl gives a face by its normal in object space.
 static int face_of(vec3s normal) {
     int axis = fabsf(normal.x) > 0.5f ? 0 : fabsf(normal.y) > 0.5f ? 1 : 2;
     return 2 * axis + (normal.raw[axis] < 0 ? 1 : 0);

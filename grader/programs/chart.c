@@ -9,6 +9,7 @@
 #include "study/chart_svg.h"
 #include "study/csv.h"
 #include "study/chart_page.h"
+#include "study/verdict.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -67,7 +68,7 @@ static const Option options[] = {
     {"trusted", 0, NULL, "the submission is my own work: no jail", AT(trusted), option_flag},
     {"context", 0, "C", "osmesa (default): CPU times; egl: times of the GPU that EGL finds", AT(context),
      option_context},
-    {"quick", 0, NULL, "small pictures and few frames: under a minute", AT(quick), option_flag},
+    {"quick", 0, NULL, "small pictures and few frames", AT(quick), option_flag},
     {"frames", 0, "N", "of each setting (30; 6 with --quick)", AT(frames), take_frames},
     {"size", 0, "WxH", "640x480 (320x240 with --quick)", AT(size), take_size},
     {"output", 0, "DIR", "default build/study; what is measured there is not measured again", AT(output),
@@ -116,7 +117,7 @@ typedef struct GrowingFile {
 } GrowingFile;
 
 typedef struct Output {
-    GrowingFile csv, page, needs;
+    GrowingFile csv, views, page, needs;
     int scenes;
 } Output;
 
@@ -154,7 +155,7 @@ static void report_submission(const SceneFindings *findings, int i) {
 }
 
 static void report(const SceneFindings *findings, FILE *needs) {
-    char need[512];
+    char need[VERDICT_TEXT];
     findings_tell(findings, need, sizeof need);
     printf("%s: %s\n", findings->scene->name, need);
     fprintf(needs, "%s\t%s\n", findings->scene->title, need);
@@ -169,6 +170,7 @@ static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output
     if (!measure_scene(plan, scene, &findings) || !chart_draw(&findings, plan->output))
         return false;
     csv_write(output->csv.out, &findings);
+    csv_views_write(output->views.out, &findings);
     report(&findings, output->needs.out);
     return chart_page_add(output->page.out, plan, &findings, output->scenes++ == 0);
 }
@@ -178,10 +180,14 @@ static bool open_output(StudyPlan *plan, Output *output) {
     files_join(path, plan->output, "frames/");
     if (!files_make_folder(path))
         return false;
+    files_join(path, plan->output, "truth/");
+    if (!files_make_folder(path))
+        return false;
     files_join(path, plan->output, "state");
     if (!measurements_open(&plan->state, path))
         return false;
     return begin_file(&output->csv, plan->output, "chart.csv") &&
+           begin_file(&output->views, plan->output, "views.csv") &&
            begin_file(&output->page, plan->output, "chart.html") &&
            begin_file(&output->needs, plan->output, "needs.txt");
 }
@@ -191,6 +197,7 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
     if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
     csv_head(output.csv.out);
+    csv_views_head(output.views.out);
     for (int i = 0; study_scene(i); i++)
         if (is_wanted(command, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
@@ -198,9 +205,10 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
         return check_fail("no scene of the study has settings of lab %s", command->lab);
     bool ok = chart_page_end(output.page.out);
     ok = end_file(&output.csv) && ok;
+    ok = end_file(&output.views) && ok;
     ok = end_file(&output.needs) && ok;
     ok = end_file(&output.page) && ok;
-    printf("%s: open it in a browser; chart.csv and the pictures SCENE.svg lie beside it\n",
+    printf("%s: open it in a browser; chart.csv, views.csv and the pictures SCENE.svg lie beside it\n",
            output.page.path);
     return ok;
 }
@@ -233,7 +241,7 @@ int main(int count, char **arguments) {
     plan.output = command.output ? command.output : standard;
     plan.size = command.size.width ? command.size
                 : command.quick    ? (MetricsSize){320, 240}
-                                   : (MetricsSize){640, 480};
+                                   : (MetricsSize){STUDY_WIDTH, STUDY_HEIGHT};
     plan.frames = command.frames ? command.frames : command.quick ? 6 : 30;
     plan.artists.context = command.context;
     plan.artists.submission_lab = command.lab[0] ? command.lab : NULL;

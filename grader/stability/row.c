@@ -20,7 +20,7 @@ static int add_sorted(const Row *rows[ROW_MOST], int count, const Row *table) {
 }
 
 int row_list(const Row *rows[ROW_MOST]) {
-    int count = add_sorted(rows, 0, rows_later);
+    int count = 0;
     for (int i = 0; rows_tables[i]; i++)
         count = add_sorted(rows, count, rows_tables[i]);
     return count;

@@ -36,7 +36,6 @@ typedef struct Row {
 // The rows of all labs, then NULL. Each solutions/NN-name/rows*.c that has some defines a table of them,
 // which ends with the number 0, by the name LAB_TABLE; build.mk makes this list.
 extern const Row *const rows_tables[];
-extern const Row rows_later[]; // rows_later.c: methods that no lab has yet
 
 // All rows in the order of their numbers, at most ROW_MOST; returns how many there are. Aborts when two have
 // the same number.

@@ -6,6 +6,7 @@
 #include "scene/check.h"
 #include "base/files.h"
 #include "study/pictures.h"
+#include "study/verdict.h"
 #include "pages/page.h"
 #include "pages/template.h"
 
@@ -104,7 +105,7 @@ static bool add_points(json_t *points, const StudyPlan *plan, const SceneFinding
         char path[FILES_PATH];
         if (!findings->findings[i].drawn)
             continue;
-        pictures_frame_path(path, plan->output, findings->findings[i].key);
+        pictures_frame_path(path, plan->output, findings->findings[i].keys[0]);
         json_t *frame = picture(path);
         if (!frame)
             return false;
@@ -114,7 +115,7 @@ static bool add_points(json_t *points, const StudyPlan *plan, const SceneFinding
 }
 
 bool chart_page_add(FILE *file, const StudyPlan *plan, const SceneFindings *findings, bool is_first) {
-    char path[FILES_PATH], need[512];
+    char path[FILES_PATH], need[VERDICT_TEXT];
     const StudyScene *scene = findings->scene;
     json_t *points = json_array();
     pictures_path(path, plan->output, scene->name);

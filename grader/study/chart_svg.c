@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "base/gnuplot.h"
 #include "pages/curve_colors.h"
+#include "study/verdict.h"
 
 #include <errno.h>
 #include <math.h>

@@ -9,6 +9,7 @@ void csv_head(FILE *file) {
           "false_shadow,"
           "false_light,edge_false_shadow,edge_false_light,interior_false_shadow,interior_false_light,edge_"
           "off_pixels,"
+          "rmse,flip,center_error,error_low,error_high,worst_off_pixels,worst_interior,enough_views,"
           "taps,texels,fragments,rays,on_front,enough,chosen\n",
           file);
 }
@@ -18,20 +19,45 @@ static void write_errors(FILE *file, const MeasuredErrors *e) {
             e->edge_false_shadow + e->interior_false_shadow, e->edge_false_light + e->interior_false_light,
             e->edge_false_shadow, e->edge_false_light, e->interior_false_shadow, e->interior_false_light,
             e->off);
+    fprintf(file, "%.8f,%.8f,%.8f,", e->rmse, e->flip, e->center);
+}
+
+static void write_names(FILE *file, const SceneFindings *findings, const Finding *f) {
+    fprintf(file, "%s,%s,%s,\"%s\",\"%s\",", findings->scene->name, f->method.lab,
+            f->method.submission ? "submission" : "ours", f->method.family, f->method.name);
 }
 
 void csv_write(FILE *file, const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++) {
         const Finding *f = &findings->findings[i];
         const Point *point = &findings->points[i];
+        double low, high;
         if (!f->drawn)
             continue;
-        fprintf(file, "%s,%s,%s,\"%s\",\"%s\",", findings->scene->name, f->method.lab,
-                f->method.submission ? "submission" : "ours", f->method.family, f->method.name);
+        write_names(file, findings, f);
         fprintf(file, "%d,%.5f,%.5f,%.5f,%.5f,%.5f,%.5f,", f->frames, point->ms, point->mad, f->prepare_ms,
                 f->prepare_mad, f->shade_ms, f->shade_mad);
         write_errors(file, &f->errors);
+        finding_range(f, &low, &high);
+        fprintf(file, "%.8f,%.8f,%.5f,%.8f,%d,", low, high, f->worst_off, f->worst_inside, f->enough_views);
         fprintf(file, "%.2f,%.0f,%.0f,%.0f,%d,%d,%d\n", f->cost.taps, f->cost.texels, f->cost.fragments,
                 f->cost.rays, point->on_front, f->enough, f->chosen);
+    }
+}
+
+void csv_views_head(FILE *file) {
+    fputs("scene,lab,whose,method,setting,view,error,interior_error,edge_off_pixels,rmse,flip,center_error\n",
+          file);
+}
+
+void csv_views_write(FILE *file, const SceneFindings *findings) {
+    for (int i = 0; i < findings->count; i++) {
+        const Finding *f = &findings->findings[i];
+        for (int v = 0; v < STUDY_VIEWS && f->drawn; v++) {
+            const MeasuredErrors *e = &f->views[v];
+            write_names(file, findings, f);
+            fprintf(file, "%d,%.8f,%.8f,%.5f,%.8f,%.8f,%.8f\n", v, finding_error(e),
+                    finding_interior_error(e), e->off, e->rmse, e->flip, e->center);
+        }
     }
 }

@@ -9,6 +9,10 @@
 void csv_head(FILE *file);
 void csv_write(FILE *file, const SceneFindings *findings);
 
+// The same of the second table, a line for each setting in each view.
+void csv_views_head(FILE *file);
+void csv_views_write(FILE *file, const SceneFindings *findings);
+
 // Prints which settings are on the front in one table only and whether the noise explains it: whether each
 // one that keeps it off the front in one table and not in the other has overlapping error bars with it in at
 // least one of them. `unexplained` gets the number of settings for which it does not. False with a message

@@ -8,51 +8,83 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST = 8 * METHOD_MOST, NAME = 160, COLUMNS = 27, BEFORE_TIMES = 5, BEFORE_ERRORS = 12 };
+enum { MOST = 16 * METHOD_MOST, NAME = 160, COLUMNS = 64, NAMES = 5 };
 
 typedef struct CsvRow {
     char scene[32], name[NAME]; // name: scene, lab, whose, method and setting
     Point point;
+    bool chosen;
 } CsvRow;
+
+// Where a table has its columns; -1: it has no such one.
+typedef struct CsvColumns {
+    int count, ms, mad, error, on_front, chosen;
+} CsvColumns;
 
 typedef struct CsvTable {
     CsvRow rows[MOST];
     int count;
+    CsvColumns columns;
 } CsvTable;
 
-// Cuts the line at its commas outside quotes, which go; false when it has another number of fields.
-static bool split(char *line, char *fields[COLUMNS]) {
+// Cuts the line at its commas outside quotes, which go. The number of fields; 0 when there are too many or a
+// quote does not end.
+static int split(char *line, char *fields[COLUMNS]) {
     int count = 0;
     for (char *at = line; at; count++) {
         bool is_quoted = *at == '"';
         char *end = is_quoted ? strchr(at + 1, '"') : at + strcspn(at, ",");
         if (!end || count == COLUMNS || (is_quoted && end[1] != ',' && end[1] != '\0'))
-            return false;
+            return 0;
         fields[count] = at + is_quoted;
         char *comma = end + is_quoted;
         at = *comma ? comma + 1 : NULL;
         *end = *comma = '\0';
     }
-    return count == COLUMNS;
+    return count;
+}
+
+static int column(char *fields[COLUMNS], int count, const char *name) {
+    for (int i = 0; i < count; i++)
+        if (strcmp(fields[i], name) == 0)
+            return i;
+    return -1;
+}
+
+static bool take_head(CsvTable *table, char *line) {
+    char *fields[COLUMNS];
+    int count = split(line, fields);
+    CsvColumns *at = &table->columns;
+    *at = (CsvColumns){.count = count,
+                       .ms = column(fields, count, "ms"),
+                       .mad = column(fields, count, "ms_mad"),
+                       .error = column(fields, count, "error"),
+                       .on_front = column(fields, count, "on_front"),
+                       .chosen = column(fields, count, "chosen")};
+    return column(fields, count, "setting") == NAMES - 1 && at->ms >= NAMES && at->mad >= NAMES &&
+           at->error >= NAMES && at->on_front >= NAMES && at->chosen >= NAMES;
 }
 
 static bool take(CsvTable *table, char *line) {
     char *fields[COLUMNS];
-    if (!split(line, fields) || table->count == MOST)
+    const CsvColumns *at = &table->columns;
+    if (split(line, fields) != at->count || table->count == MOST)
         return false;
     CsvRow *row = &table->rows[table->count++];
-    *row = (CsvRow){.point = {.ms = atof(fields[BEFORE_TIMES + 1]),
-                              .mad = atof(fields[BEFORE_TIMES + 2]),
-                              .error = atof(fields[BEFORE_ERRORS]),
-                              .on_front = atoi(fields[COLUMNS - 3]) != 0}};
+    *row = (CsvRow){.point = {.ms = atof(fields[at->ms]),
+                              .mad = atof(fields[at->mad]),
+                              .error = atof(fields[at->error]),
+                              .on_front = atoi(fields[at->on_front]) != 0,
+                              .aside = strcmp(fields[1], METHOD_RAYS) == 0},
+                    .chosen = atoi(fields[at->chosen]) != 0};
     snprintf(row->scene, sizeof row->scene, "%s", fields[0]);
-    for (int i = 0; i < BEFORE_TIMES; i++)
+    for (int i = 0; i < NAMES; i++)
         check_append(row->name, sizeof row->name, "%s%s", i ? ", " : "", fields[i]);
     return true;
 }
 
 static bool read_table(CsvTable *table, const char *path) {
-    char line[1024];
+    char line[2048];
     int number = 0;
     FILE *file = fopen(path, "r");
     if (!file)
@@ -60,7 +92,7 @@ static bool read_table(CsvTable *table, const char *path) {
     bool ok = true;
     while (ok && fgets(line, sizeof line, file)) {
         line[strcspn(line, "\r\n")] = '\0';
-        ok = number++ == 0 ? strncmp(line, "scene,lab,", 10) == 0 : take(table, line);
+        ok = number++ == 0 ? take_head(table, line) : take(table, line);
     }
     fclose(file);
     if (ok && number > 0)
@@ -81,7 +113,8 @@ static bool is_explained(const CsvTable *on_table, const CsvRow *on, const CsvTa
                          const CsvRow *off) {
     for (int i = 0; i < off_table->count; i++) {
         const CsvRow *rival = &off_table->rows[i], *before = find(on_table, rival);
-        if (!before || strcmp(rival->scene, off->scene) != 0 || !pareto_dominates(&rival->point, &off->point))
+        if (!before || rival->point.aside || strcmp(rival->scene, off->scene) != 0 ||
+            !pareto_dominates(&rival->point, &off->point))
             continue;
         if (!pareto_bars_overlap(&rival->point, &off->point) &&
             !pareto_bars_overlap(&before->point, &on->point))
@@ -92,7 +125,7 @@ static bool is_explained(const CsvTable *on_table, const CsvRow *on, const CsvTa
 
 bool csv_compare(const char *a, const char *b, FILE *out, int *unexplained) {
     static CsvTable first, second;
-    int both = 0, swapped = 0, front = 0;
+    int both = 0, swapped = 0, front = 0, needs = 0, same = 0;
     *unexplained = first.count = second.count = 0;
     if (!read_table(&first, a) || !read_table(&second, b))
         return false;
@@ -102,6 +135,10 @@ bool csv_compare(const char *a, const char *b, FILE *out, int *unexplained) {
             continue;
         both++;
         front += x->point.on_front && y->point.on_front;
+        needs += x->chosen;
+        same += x->chosen && y->chosen;
+        if (x->chosen != y->chosen)
+            fprintf(out, "%s: what its scene needs by %s only\n", x->name, x->chosen ? a : b);
         if (x->point.on_front == y->point.on_front)
             continue;
         bool explained =
@@ -113,5 +150,6 @@ bool csv_compare(const char *a, const char *b, FILE *out, int *unexplained) {
     }
     fprintf(out, "%d settings in both, %d on both fronts, %d swapped, %d of these outside the error bars\n",
             both, front, swapped, *unexplained);
+    fprintf(out, "%d scenes have a setting that they need; both name the same for %d of them\n", needs, same);
     return true;
 }

@@ -1,12 +1,11 @@
-// Sums a finding up (times, errors), judges those of a scene against each other, and says in words what the
-// scene needs.
+// Sums a finding up: its times over frames, its errors over views.
 #include "study/finding.h"
 
 #include "scene/check.h"
 #include "base/statistics.h"
 
+#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 double finding_interior_error(const MeasuredErrors *errors) {
     return errors->interior_false_shadow + errors->interior_false_light;
@@ -44,74 +43,22 @@ void finding_time(Finding *finding, Point *point, const MeasuredTime *times, int
     summarise(times, count, shade, &finding->shade_ms, &finding->shade_mad);
 }
 
-static bool is_enough(const Finding *finding, double tolerance) {
-    return finding->drawn && finding_interior_error(&finding->errors) <= tolerance &&
-           finding->errors.off <= FINDING_MOST_OFF;
-}
-
-void findings_judge(SceneFindings *findings) {
-    Finding *cheapest = NULL;
-    double least = 0;
-    for (int i = 0; i < findings->count; i++) {
-        Finding *finding = &findings->findings[i];
-        Point *point = &findings->points[i];
-        point->error = finding_error(&finding->errors);
-        point->ms = finding->drawn ? point->ms : -1;
-        finding->chosen = false;
-        finding->enough = is_enough(finding, findings->scene->tolerance);
-        if (finding->enough && !finding->method.submission && (!cheapest || point->ms < least)) {
-            cheapest = finding;
-            least = point->ms;
-        }
+void finding_errors(Finding *finding) {
+    finding->errors = (MeasuredErrors){0};
+    finding->worst_inside = finding->worst_off = 0;
+    for (int v = 0; v < STUDY_VIEWS; v++) {
+        const MeasuredErrors *view = &finding->views[v];
+        measured_errors_add(&finding->errors, view, 1.0 / STUDY_VIEWS);
+        finding->worst_inside = fmax(finding->worst_inside, finding_interior_error(view));
+        finding->worst_off = fmax(finding->worst_off, view->off);
     }
-    if (cheapest)
-        cheapest->chosen = true;
-    pareto_mark(findings->points, (size_t)findings->count);
 }
 
-const Finding *findings_chosen(const SceneFindings *findings) {
-    for (int i = 0; i < findings->count; i++)
-        if (findings->findings[i].chosen)
-            return &findings->findings[i];
-    return NULL;
-}
-
-const Finding *findings_next_cheaper(const SceneFindings *findings) {
-    const Finding *chosen = findings_chosen(findings);
-    const Point *limit = chosen ? &findings->points[chosen - findings->findings] : NULL, *best = NULL;
-    for (int i = 0; limit && i < findings->count; i++) {
-        const Point *point = &findings->points[i];
-        if (point->on_front && !findings->findings[i].method.submission && point->ms < limit->ms &&
-            (!best || point->ms > best->ms))
-            best = point;
+void finding_range(const Finding *finding, double *low, double *high) {
+    *low = *high = finding_error(&finding->views[0]);
+    for (int v = 1; v < STUDY_VIEWS; v++) {
+        double error = finding_error(&finding->views[v]);
+        *low = fmin(*low, error);
+        *high = fmax(*high, error);
     }
-    return best ? &findings->findings[best - findings->points] : NULL;
-}
-
-static void tell_wrong(const Finding *finding, double tolerance, char *text, size_t size) {
-    const MeasuredErrors *errors = &finding->errors;
-    double inside = finding_interior_error(errors);
-    if (inside <= tolerance)
-        check_append(text, size, "its edge is off by %.2g pixels", errors->off);
-    else
-        check_append(text, size, "%.2g %% error inside, mostly false %s", 100 * inside,
-                     errors->interior_false_shadow > errors->interior_false_light ? "shadow" : "light");
-}
-
-void findings_tell(const SceneFindings *findings, char *text, size_t size) {
-    const Finding *chosen = findings_chosen(findings), *next = findings_next_cheaper(findings);
-    text[0] = '\0';
-    if (!chosen) {
-        check_append(text, size, "none of these settings is enough");
-        return;
-    }
-    check_append(text, size, "%s, %s (lab %s)", chosen->method.family, chosen->method.name,
-                 chosen->method.lab);
-    if (!next) {
-        check_append(text, size, "; nothing is cheaper");
-        return;
-    }
-    check_append(text, size, "; the next cheaper, %s, %s (lab %s): ", next->method.family, next->method.name,
-                 next->method.lab);
-    tell_wrong(next, findings->scene->tolerance, text, size);
 }

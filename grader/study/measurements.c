@@ -8,9 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-// Both formats end with a full stop, which shows that a line is whole.
+// A line ends with a full stop, which shows that it is whole.
 #define TIME "time %" SCNx64 " %lf %lf .%n"
-#define ERRORS "errors %" SCNx64 " %lf %lf %lf %lf %lf %lf .%n"
+
+void measured_errors_add(MeasuredErrors *sum, const MeasuredErrors *errors, double share) {
+    double *to = (double *)sum;
+    const double *from = (const double *)errors;
+    for (int i = 0; i < MEASURED_FIGURES; i++)
+        to[i] += share * from[i];
+}
 
 static bool grow(void **items, int count, int *capacity, size_t size) {
     if (count < *capacity)
@@ -38,16 +44,26 @@ static bool keep_errors(Measurements *state, const MeasuredError *error) {
     return true;
 }
 
+// The figures of a line that begins like one of errors; false when it is not whole.
+static bool read_figures(const char *line, MeasuredError *error) {
+    double *figures = (double *)&error->errors;
+    int at = 0, end = 0, last = 0;
+    if (sscanf(line, "errors %" SCNx64 "%n", &error->key, &at) != 1)
+        return false;
+    for (int i = 0; i < MEASURED_FIGURES; i++, at += end)
+        if (sscanf(line + at, " %lf%n", &figures[i], &end) != 1)
+            return false;
+    sscanf(line + at, " .%n", &last);
+    return last > 0;
+}
+
 static bool take_line(Measurements *state, const char *line) {
     MeasuredTime time;
     MeasuredError error;
-    MeasuredErrors *e = &error.errors;
     int end = 0;
     if (sscanf(line, TIME, &time.key, &time.prepare, &time.shade, &end) == 3 && end > 0)
         return keep_time(state, &time);
-    if (sscanf(line, ERRORS, &error.key, &e->edge_false_shadow, &e->edge_false_light,
-               &e->interior_false_shadow, &e->interior_false_light, &e->off, &e->partial, &end) == 7 &&
-        end > 0)
+    if (read_figures(line, &error))
         return keep_errors(state, &error);
     return true; // cut off, or of another version: measured again
 }
@@ -87,10 +103,11 @@ bool measurements_add_time(Measurements *state, const MeasuredTime *time) {
 }
 
 bool measurements_add_errors(Measurements *state, uint64_t key, const MeasuredErrors *errors) {
-    const MeasuredErrors *e = errors;
-    fprintf(state->file, "errors %016" PRIx64 " %.17g %.17g %.17g %.17g %.17g %.17g .\n", key,
-            e->edge_false_shadow, e->edge_false_light, e->interior_false_shadow, e->interior_false_light,
-            e->off, e->partial);
+    const double *figures = (const double *)errors;
+    fprintf(state->file, "errors %016" PRIx64, key);
+    for (int i = 0; i < MEASURED_FIGURES; i++)
+        fprintf(state->file, " %.17g", figures[i]);
+    fputs(" .\n", state->file);
     return keep_errors(state, &(MeasuredError){key, *errors}) && flush(state);
 }
 

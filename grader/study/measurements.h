@@ -10,7 +10,12 @@ typedef struct MeasuredErrors {
     double edge_false_shadow, edge_false_light, interior_false_shadow, interior_false_light;
     double off;     // mean distance of the edge from the true one, pixels
     double partial; // share of the pixels that are neither wholly lit nor wholly dark
+    double rmse;    // root of the mean of squares
+    double flip;    // mean of FLIP (truth/flip.h) of a white scene that the light falls on
+    double center;  // mean difference to the truth at the pixels' centres
 } MeasuredErrors;
+
+enum { MEASURED_FIGURES = sizeof(MeasuredErrors) / sizeof(double) }; // all of them are double
 
 typedef struct MeasuredTime {
     uint64_t key;
@@ -28,6 +33,9 @@ typedef struct Measurements {
     MeasuredError *errors;
     int time_count, time_capacity, error_count, error_capacity;
 } Measurements;
+
+// Adds a share of errors to others, figure by figure.
+void measured_errors_add(MeasuredErrors *sum, const MeasuredErrors *errors, double share);
 
 // Reads the file, if there is one, and opens it for more. A last line that was cut off is dropped. Keys say
 // what was measured (by its content). False with a message.

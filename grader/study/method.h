@@ -7,6 +7,9 @@
 
 enum { METHOD_NAME = 48, METHOD_MOST = 160 };
 
+#define METHOD_RAYS "rays"   // in the place of a lab: ray tracing itself
+#define METHOD_NO_EDGE 1e-3F // a width of the edge that no pixel has: the boundary begins at half a pixel
+
 // What a frame costs on any machine, as the setting has it.
 typedef struct Cost {
     double taps;      // lookups of a pixel in the map or atlas; with early-out the mean over the picture
@@ -29,6 +32,7 @@ typedef struct Method {
     bool by_processor;    // what comes before the picture is worked out without the GPU, as a bake's rays are
     // Adds what only its lab can count to the cost; NULL: nothing.
     void (*add_cost)(Cost *cost, const struct Method *method, const Scene *scene);
+    int rays; // a pixel, of ray tracing; 0: a lab draws
     bool submission;
 } Method;
 

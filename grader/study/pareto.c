@@ -15,9 +15,9 @@ bool pareto_dominates(const Point *a, const Point *b) {
 
 void pareto_mark(Point *points, size_t count) {
     for (size_t i = 0; i < count; i++) {
-        points[i].on_front = points[i].ms >= 0;
+        points[i].on_front = points[i].ms >= 0 && !points[i].aside;
         for (size_t j = 0; j < count; j++)
-            if (points[j].ms >= 0 && pareto_dominates(&points[j], &points[i]))
+            if (points[j].ms >= 0 && !points[j].aside && pareto_dominates(&points[j], &points[i]))
                 points[i].on_front = false;
     }
 }

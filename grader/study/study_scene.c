@@ -25,6 +25,12 @@ const StudyScene *study_scene(int i) {
     return NULL;
 }
 
+void study_settle(Scene *scene, const StudyScene *of) {
+    for (int lab = 0; study_tables[lab]; lab++)
+        if (study_tables[lab]->settle)
+            study_tables[lab]->settle(scene, of->name);
+}
+
 void study_add_methods(MethodList *list, const StudyScene *scene) {
     list->count = 0;
     for (int lab = 0; study_tables[lab]; lab++)

@@ -15,6 +15,8 @@
 // the map sees it: the kernel that a filter must have there.
 enum { STUDY_KERNEL = 64, STUDY_SIZES = 5 };
 
+enum { STUDY_WIDTH = 640, STUDY_HEIGHT = 480 }; // of the pictures that the limits are for
+
 extern const int study_sizes[STUDY_SIZES]; // of shadow maps, texels along a side
 
 typedef struct StudyScene {
@@ -32,6 +34,9 @@ typedef struct LabStudy {
     const StudyScene *scenes; // its own; ends with one without a name; NULL: it has none
     // Adds the lab's settings in the scene of this name, which may be another lab's.
     void (*add_methods)(MethodList *list, const char *scene);
+    // Makes fit again what must fit camera and lights in a scene of this name, after they were moved
+    // (views.h); NULL: nothing must.
+    void (*settle)(Scene *scene, const char *name);
 } LabStudy;
 
 extern const LabStudy *const study_tables[]; // of all labs, in their order, then NULL: made by build.mk
@@ -41,6 +46,9 @@ const StudyScene *study_scene(int i);
 
 // Makes the list that of all labs' settings in this scene.
 void study_add_methods(MethodList *list, const StudyScene *scene);
+
+// What the labs settle in a scene whose camera and lights were moved.
+void study_settle(Scene *scene, const StudyScene *of);
 
 // For makers of scenes. An object turned in the plane of the picture of a camera at +z, by `turn` degrees
 // about +z.

@@ -3,6 +3,7 @@
 #include "study/truth_view.h"
 
 #include "scene/check.h"
+#include "truth/pixels.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,14 +53,6 @@ static bool draw_primitives(TruthView *truth_view, LabArtist *artist) {
     return ok;
 }
 
-// By which light a pixel must be faced to count.
-static float facing(const TruthView *truth_view, const TruthQuery *query, const TruthHit *hit) {
-    if (query->kind == TRUTH_OCCLUSION || query->kind == TRUTH_DUST)
-        return hit->object == TRUTH_NONE ? -1 : 1;
-    return truth_facing(&truth_view->truth.scene, hit,
-                        query->kind == TRUTH_LIGHTS ? TRUTH_NONE : query->light);
-}
-
 bool truth_view_create(TruthView *truth_view, const Scene *scene, MetricsSize size, const TruthQuery *query,
                        LabArtist *artist) {
     *truth_view = (TruthView){.size = size};
@@ -70,11 +63,30 @@ bool truth_view_create(TruthView *truth_view, const Scene *scene, MetricsSize si
     for (size_t i = 0; i < pixels(truth_view); i++) {
         const TruthHit *hit = &truth_view->picture.hits[i];
         truth_view->traced[i] = metrics_primitive(hit->object, hit->triangle);
-        truth_view->facing[i] = facing(truth_view, query, hit);
+        truth_view->facing[i] = pixels_facing(scene, query, hit);
     }
     return draw_primitives(truth_view, artist) &&
            truth_trace(&truth_view->truth, &truth_view->picture, query, truth_view->visibility) &&
            metrics_boundary(size, truth_view->traced, truth_view->visibility, truth_view->distance);
+}
+
+bool truth_view_take(TruthView *truth_view, float *visibility, float *noise) {
+    INVARIANT(!truth_view->center);
+    truth_view->center = truth_view->visibility;
+    truth_view->visibility = visibility;
+    truth_view->noise = noise;
+    return metrics_boundary(truth_view->size, truth_view->traced, visibility, truth_view->distance);
+}
+
+bool truth_view_refine(TruthView *truth_view, const TruthQuery *query, int across) {
+    float *visibility = malloc(pixels(truth_view) * sizeof *visibility);
+    float *noise = malloc(pixels(truth_view) * sizeof *noise);
+    bool ok = (visibility && noise) || check_fail("out of memory for the truth of whole pixels");
+    if (ok && pixels_trace_twice(&truth_view->truth, &truth_view->picture, query, across, visibility, noise))
+        return truth_view_take(truth_view, visibility, noise);
+    free(visibility);
+    free(noise);
+    return false;
 }
 
 void truth_view_destroy(TruthView *truth_view) {
@@ -85,6 +97,8 @@ void truth_view_destroy(TruthView *truth_view) {
     free(truth_view->facing);
     free(truth_view->visibility);
     free(truth_view->distance);
+    free(truth_view->center);
+    free(truth_view->noise);
     *truth_view = (TruthView){0};
 }
 
@@ -107,7 +121,7 @@ static bool draw(const TruthView *truth_view, LabArtist *artist, const Request *
     return ok;
 }
 
-static void compare(const TruthView *truth_view, const Setting *setting, Measured *measured) {
+void truth_view_compare(const TruthView *truth_view, const Setting *setting, Measured *measured) {
     const MetricsPixels given = {truth_view->drawn, truth_view->traced, truth_view->facing,
                                  measured->visibility};
     metrics_mask(truth_view->size, &given, measured->mask);
@@ -122,14 +136,19 @@ bool truth_view_measure(const TruthView *truth_view, LabArtist *artist, const Se
                         Measured *measured) {
     Request request = truth_view_request(truth_view, setting);
     request.fresh = fresh;
-    *measured = (Measured){.visibility = calloc(pixels(truth_view), sizeof *measured->visibility),
-                           .mask = calloc(pixels(truth_view), 1)};
-    if (!measured->visibility || !measured->mask)
-        return check_fail("out of memory for a frame");
+    if (!measured_create(measured, truth_view->size))
+        return false;
     if (!draw(truth_view, artist, &request, measured))
         return false;
-    compare(truth_view, setting, measured);
+    truth_view_compare(truth_view, setting, measured);
     return true;
+}
+
+bool measured_create(Measured *measured, MetricsSize size) {
+    size_t count = (size_t)size.width * (size_t)size.height;
+    *measured =
+        (Measured){.visibility = calloc(count, sizeof *measured->visibility), .mask = calloc(count, 1)};
+    return (measured->visibility && measured->mask) || check_fail("out of memory for a frame");
 }
 
 void measured_destroy(Measured *measured) {

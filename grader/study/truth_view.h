@@ -14,11 +14,21 @@ typedef struct TruthView {
     float *facing;     // N.L; 1 for occlusion, which has no direction
     float *visibility; // the truth, 0..1
     float *distance;   // to the true boundary, pixels
+    float *center;     // once refined: the truth at the pixels' centres
+    float *noise;      // once refined: what a truth of half as many rays has more
 } TruthView;
 
 // Traces the scene for this query; `artist` draws the triangles (any lab's does). False with a message.
 bool truth_view_create(TruthView *truth_view, const Scene *scene, MetricsSize size, const TruthQuery *query,
                        LabArtist *artist);
+// From now on the truth is that of whole pixels (truth/pixels.h), by across x across rays from the camera,
+// twice. False with a message.
+bool truth_view_refine(TruthView *truth_view, const TruthQuery *query, int across);
+
+// The same with a truth that was traced before; takes both arrays, allocated with malloc. False with a
+// message.
+bool truth_view_take(TruthView *truth_view, float *visibility, float *noise);
+
 void truth_view_destroy(TruthView *truth_view); // accepts a zeroed ground
 
 // How a method is asked for its frame.
@@ -48,6 +58,11 @@ typedef struct Measured {
 // `fresh`. False with a message. The caller destroys what it got, also after a failure.
 bool truth_view_measure(const TruthView *truth_view, LabArtist *artist, const Setting *setting, bool fresh,
                         Measured *measured);
+// Fills mask and metrics of a frame whose visibility is there. All three arrays belong to the caller.
+void truth_view_compare(const TruthView *truth_view, const Setting *setting, Measured *measured);
+
+// Memory for a frame. False with a message.
+bool measured_create(Measured *measured, MetricsSize size);
 void measured_destroy(Measured *measured); // accepts a zeroed one
 
 // A request for the ground's scene with the setting's knobs and view.

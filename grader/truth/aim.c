@@ -14,10 +14,14 @@ vec3s aim_origin(const TruthHit *hit) {
     return glms_vec3_add(p, glms_vec3_scale(hit->face_normal, size * 0x1p-19f));
 }
 
-// The unit square to the unit disc, areas kept.
+// The unit square to the unit disc, areas and, as well as can be, shapes kept: rings of squares become rings
+// (Shirley, Chiu: A Low Distortion Map Between Disk and Square, Journal of Graphics Tools 1997).
 static vec2s to_disc(vec2s square) {
-    float radius = sqrtf(square.x), angle = 2 * (float)GLM_PI * square.y;
-    return (vec2s){{radius * cosf(angle), radius * sinf(angle)}};
+    float x = 2 * square.x - 1, y = 2 * square.y - 1;
+    bool is_wide = fabsf(x) > fabsf(y);
+    float radius = is_wide ? x : y, ratio = radius == 0 ? 0 : (is_wide ? y : x) / radius;
+    float angle = (float)GLM_PI_4f * ratio, along = radius * cosf(angle), across = radius * sinf(angle);
+    return is_wide ? (vec2s){{along, across}} : (vec2s){{across, along}};
 }
 
 static Aim aim_at_area(const TruthArea *area, vec2s place) {

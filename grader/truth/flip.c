@@ -223,10 +223,13 @@ float flip_at(const FlipPicture *reference, const FlipPicture *test, size_t i) {
     return color > 0 ? powf(color, 1 - feature) : 0;
 }
 
-double flip_mean(const FlipPicture *reference, const FlipPicture *test) {
-    size_t pixels = (size_t)reference->size.width * (size_t)reference->size.height;
+double flip_mean(const FlipPicture *reference, const FlipPicture *test, const uint8_t *mask) {
+    size_t pixels = (size_t)reference->size.width * (size_t)reference->size.height, count = 0;
     double sum = 0;
     for (size_t i = 0; i < pixels; i++)
-        sum += (double)flip_at(reference, test, i);
-    return pixels ? sum / (double)pixels : 0;
+        if (!mask || mask[i]) {
+            sum += (double)flip_at(reference, test, i);
+            count++;
+        }
+    return count ? sum / (double)count : 0;
 }

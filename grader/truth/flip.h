@@ -24,5 +24,5 @@ bool flip_create_grey(FlipPicture *picture, MetricsSize size, const float *grey)
 // The difference at pixel i of two pictures of one size, 0..1.
 float flip_at(const FlipPicture *reference, const FlipPicture *test, size_t i);
 
-// The mean over the picture, the figure that its authors recommend.
-double flip_mean(const FlipPicture *reference, const FlipPicture *test);
+// The mean over the pixels where the mask is 1 (NULL: over all), the figure that its authors recommend.
+double flip_mean(const FlipPicture *reference, const FlipPicture *test, const uint8_t *mask);

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 float pixels_facing(const Scene *scene, const TruthQuery *query, const TruthHit *hit) {
-    if (query->kind == TRUTH_OCCLUSION)
+    if (query->kind == TRUTH_OCCLUSION || query->kind == TRUTH_DUST)
         return hit->object == TRUTH_NONE ? -1 : 1;
     return truth_facing(scene, hit, query->kind == TRUTH_LIGHTS ? TRUTH_NONE : query->light);
 }
@@ -34,8 +34,7 @@ static void add_picture(const Truth *truth, const TruthPicture *centers, const T
 
 static bool trace_all(const Truth *truth, const TruthPicture *centers, TruthQuery query, int across,
                       const Sums *sums, float *visibility) {
-    bool shares = query.kind != TRUTH_LIGHT && query.kind != TRUTH_LIGHTS;
-    query.parts = shares || truth_is_wide(&truth->scene, &query) ? across * across : 0;
+    query.parts = truth_is_soft(&truth->scene, &query) ? across * across : 0;
     TruthPicture picture = sums->picture;
     bool ok = true;
     for (int part = 0; ok && part < across * across; part++) {
@@ -51,6 +50,11 @@ static bool trace_all(const Truth *truth, const TruthPicture *centers, TruthQuer
 bool pixels_trace(const Truth *truth, const TruthPicture *centers, const TruthQuery *query, int across,
                   float *visibility) {
     size_t pixels = (size_t)centers->width * (size_t)centers->height;
+    if (query->kind == TRUTH_DUST)
+        return truth_trace(truth, centers, query, visibility);
+    if (truth_is_soft(&truth->scene, query) && query->samples % (across * across) != 0)
+        return check_fail("%d samples a pixel are no whole number in each of %d places of it", query->samples,
+                          across * across);
     Sums sums = {.visibility = calloc(pixels, sizeof(float)), .counted = calloc(pixels, sizeof(float))};
     bool ok = truth_picture_create(&sums.picture, centers->width, centers->height) &&
               ((sums.visibility && sums.counted) || check_fail("out of memory for %zu pixels", pixels));
@@ -76,7 +80,7 @@ bool pixels_trace_twice(const Truth *truth, const TruthPicture *centers, const T
     for (size_t i = 0; i < pixels; i++) {
         float a = visibility[i], b = noise[i];
         visibility[i] = (a + b) / 2;
-        noise[i] = fabsf(a - b) / 2;
+        noise[i] = (a - b) / 2;
     }
     return true;
 }

@@ -4,8 +4,8 @@
 
 #include "truth/truth.h"
 
-// dot(normal, direction to the light) by which a pixel counts for this query (truth_facing); 1 for occlusion,
-// which has no direction; -1 for the background.
+// dot(normal, direction to the light) by which a pixel counts for this query (truth_facing); 1 for occlusion
+// and dust, which have no direction; -1 for the background.
 float pixels_facing(const Scene *scene, const TruthQuery *query, const TruthHit *hit);
 
 // Visibility of each pixel of `centers` (as truth_look fills it) by across x across rays from the camera, one
@@ -17,7 +17,7 @@ float pixels_facing(const Scene *scene, const TruthQuery *query, const TruthHit 
 bool pixels_trace(const Truth *truth, const TruthPicture *centers, const TruthQuery *query, int across,
                   float *visibility);
 
-// The mean of two such traces of different seeds; `noise` is half their difference, without sign: as far from
-// one another as the mean from what is true, in the mean.
+// The mean of two such traces of different seeds; `noise` is what the first has more than it. That is in the
+// mean as far as the mean itself is from what is true.
 bool pixels_trace_twice(const Truth *truth, const TruthPicture *centers, const TruthQuery *query, int across,
                         float *visibility, float *noise);

@@ -120,6 +120,10 @@ bool truth_is_wide(const Scene *scene, const TruthQuery *query) {
     return wide;
 }
 
+bool truth_is_soft(const Scene *scene, const TruthQuery *query) {
+    return (query->kind != TRUTH_LIGHT && query->kind != TRUTH_LIGHTS) || truth_is_wide(scene, query);
+}
+
 float truth_facing(const Scene *scene, const TruthHit *hit, int light) {
     float most = -1;
     for (int i = 0; i < scene->light_count; i++)

@@ -107,6 +107,9 @@ bool truth_trace(const Truth *truth, const TruthPicture *picture, const TruthQue
 // Do the lights of the query need samples, since one of them has an extent?
 bool truth_is_wide(const Scene *scene, const TruthQuery *query);
 
+// Does the query's visibility have values between 0 and 1: occlusion, or a light with an extent?
+bool truth_is_soft(const Scene *scene, const TruthQuery *query);
+
 // dot(normal, direction to the light) as shaders/lighting.glsl has it, or that of the triangle where it is
 // less: what light grazes by either is no fair test of a shadow. Of light `light`; for TRUTH_NONE the largest
 // over all lights. -1..1; -1 for the background.

@@ -72,4 +72,16 @@ static void add_methods(MethodList *list, const char *scene) {
     add_random(list, 1024, 4, 8, true, 2);
 }
 
-const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods}};
+// The lamp stays where its area is; instead the plates move the other way.
+static void settle(Scene *scene, const char *name) {
+    Light *light = &scene->lights[0];
+    if (strcmp(name, "penumbra") != 0)
+        return;
+    for (int i = 1; i < scene->object_count; i++)
+        for (int c = 0; c < 2; c++)
+            scene->objects[i].world_from_object.raw[3][c] -= light->target.raw[c];
+    light->target = vec3_make(0, 0, 0);
+    light->position = vec3_make(0, 0, LAMP_HEIGHT);
+}
+
+const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods, .settle = settle}};

@@ -13,8 +13,19 @@ static void make_volumes(Scene *scene) {
     closed_add(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(4, 1, 4), 0);
     closed_add(scene, SHAPE_BOX, vec3_make(-1, 0.6f, 0.4f), vec3_make(0.5f, 0.6f, 0.5f), 30);
     closed_add(scene, SHAPE_SPHERE, vec3_make(0.9f, 0.9f, -0.3f), vec3_make(0.55f, 0.55f, 0.55f), 0);
-    closed_add(scene, SHAPE_BOX, glms_vec3_lerp(eye, lamp, 0.5f), vec3_make(0.3f, 0.05f, 0.3f), 20);
+    closed_add(scene, SHAPE_BOX, glms_vec3_lerp(eye, lamp, 0.5f), vec3_make(0.3f, 0.05f, 0.3f), 20); // PLATE
     closed_light(scene, LIGHT_SPOT, lamp, vec3_make(-0.2f, 0.6f, 0), glm_rad(60), 0, 1, 18);
+}
+
+enum { PLATE = 3 };
+
+// The plate stays between eye and lamp.
+static void settle(Scene *scene, const char *name) {
+    if (strcmp(name, "volumes") != 0)
+        return;
+    vec3s middle = glms_vec3_lerp(scene->camera.eye, scene->lights[0].position, 0.5f);
+    for (int c = 0; c < 3; c++)
+        scene->objects[PLATE].world_from_object.raw[3][c] = middle.raw[c];
 }
 
 static const StudyScene scenes[] = {
@@ -42,4 +53,4 @@ static void add_methods(MethodList *list, const char *scene) {
         }
 }
 
-const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods}};
+const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods, .settle = settle}};

@@ -18,12 +18,39 @@ static void make_occlusion(Scene *scene) {
     closed_light(scene, LIGHT_DIRECTIONAL, vec3_make(3, 8, 4), vec3_make(0, 0, 0), 0, 3, 4, 16);
 }
 
+// Rays as long as this, world units, see what is near; the names are those of their scenes.
+static const struct Near {
+    const char *scene;
+    float length;
+} near[] = {{"occlusion 0.25", 0.25f}, {"occlusion 0.5", 0.5f}, {"occlusion 1", 1}};
+
 static const StudyScene scenes[] = {
     {"occlusion",
      "An even sky: ambient occlusion",
      "a corner and a contact",
      make_occlusion,
-     {.kind = TRUTH_OCCLUSION, .samples = 1024, .seed = 1},
+     {.kind = TRUTH_OCCLUSION, .samples = 4096, .seed = 1},
+     false,
+     STUDY_SOFT},
+    {"occlusion 0.25",
+     "Ambient occlusion by what is nearer than 0.25",
+     "a corner and a contact; rays in the truth, the bake and the screen are equally long",
+     make_occlusion,
+     {.kind = TRUTH_OCCLUSION, .samples = 1024, .limit = 0.25f, .seed = 1},
+     false,
+     STUDY_SOFT},
+    {"occlusion 0.5",
+     "Ambient occlusion by what is nearer than 0.5",
+     "a corner and a contact; rays in the truth, the bake and the screen are equally long",
+     make_occlusion,
+     {.kind = TRUTH_OCCLUSION, .samples = 1024, .limit = 0.5f, .seed = 1},
+     false,
+     STUDY_SOFT},
+    {"occlusion 1",
+     "Ambient occlusion by what is nearer than 1",
+     "a corner and a contact; rays in the truth, the bake and the screen are equally long",
+     make_occlusion,
+     {.kind = TRUTH_OCCLUSION, .samples = 1024, .limit = 1, .seed = 1},
      false,
      STUDY_SOFT},
     {0},
@@ -41,27 +68,35 @@ static void add_bake(Cost *cost, const Method *method, const Scene *scene) {
     free(atlas);
 }
 
-static void add_baked(MethodList *list, int density, int rays) {
+// `length` of the rays, world units; 0: they have no end.
+static void add_baked(MethodList *list, int density, int rays, float length) {
     Method *method = method_add(list, LAB_ID, "baked", "%d texels a unit, %d rays", density, rays);
     setting_knob(&method->setting, "texel density", (float)density);
     setting_knob(&method->setting, "rays", (float)rays);
-    method->add_cost = add_bake;
+    if (length > 0)
+        setting_knob(&method->setting, "ray length", length);
     method->by_processor = true;
+    method->add_cost = add_bake;
+}
+
+static void add_screen(MethodList *list, float length) {
+    Method *method = method_add(list, LAB_ID, "screen space", "radius %g", (double)length);
+    setting_knob(&method->setting, "method", 1);
+    setting_knob(&method->setting, "ray length", length);
+    method->taps = 16; // hemisphere_count in shaders/hemisphere.glsl
 }
 
 static void add_methods(MethodList *list, const char *scene) {
-    const float radii[] = {0.25f, 0.5f, 1};
-    if (strcmp(scene, "occlusion") != 0)
-        return;
-    for (int density = 2; density <= 16; density *= 2)
-        for (int rays = 4; rays <= 256 && density * density * rays <= 16384; rays *= 4)
-            add_baked(list, density, rays);
-    for (unsigned i = 0; i < COUNT(radii); i++) {
-        Method *method = method_add(list, LAB_ID, "screen space", "radius %g", (double)radii[i]);
-        setting_knob(&method->setting, "method", 1);
-        setting_knob(&method->setting, "ray length", radii[i]);
-        method->taps = 16; // hemisphere_count in shaders/hemisphere.glsl
-    }
+    if (strcmp(scene, "occlusion") == 0)
+        for (int density = 2; density <= 16; density *= 2)
+            for (int rays = 4; rays <= 256 && density * density * rays <= 16384; rays *= 4)
+                add_baked(list, density, rays, 0);
+    for (unsigned i = 0; i < COUNT(near); i++)
+        if (strcmp(scene, near[i].scene) == 0) {
+            add_screen(list, near[i].length);
+            for (int density = 2; density <= 16; density *= 2)
+                add_baked(list, density, 64, near[i].length);
+        }
 }
 
 const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods}};

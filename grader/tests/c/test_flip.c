@@ -103,13 +103,13 @@ static void test_reference_values(void **unused) {
     (void)unused;
     for (size_t p = 0; p < sizeof pairs / sizeof *pairs; p++) {
         FlipPicture a = make(pairs[p].reference), b = make(pairs[p].test);
-        double most = 0, mean = flip_mean(&a, &b);
+        double most = 0, mean = flip_mean(&a, &b, NULL);
         for (size_t i = 0; i < SIDE * SIDE; i++)
             most = fmax(most, (double)flip_at(&a, &b, i));
         print_message("%s: %.6f (%.6f), most %.6f (%.6f)\n", pairs[p].name, mean, pairs[p].mean, most,
                       pairs[p].most);
         assert_true(fabs(mean - pairs[p].mean) < 5e-5 && fabs(most - pairs[p].most) < 5e-5);
-        assert_true(flip_mean(&a, &a) == 0 && fabs(flip_mean(&b, &a) - mean) < 1e-12);
+        assert_true(flip_mean(&a, &a, NULL) == 0 && fabs(flip_mean(&b, &a, NULL) - mean) < 1e-12);
         flip_destroy(&a);
         flip_destroy(&b);
     }
@@ -125,7 +125,9 @@ static void test_grey(void **unused) {
     assert_true(flip_create_grey(&a, (MetricsSize){3, 1}, grey) &&
                 flip_create(&b, (MetricsSize){3, 1}, rgb) &&
                 flip_create_grey(&c, (MetricsSize){3, 1}, other));
-    assert_true(flip_mean(&a, &b) == 0 && flip_mean(&a, &c) > 0.1);
+    assert_true(flip_mean(&a, &b, NULL) == 0 && flip_mean(&a, &c, NULL) > 0.1);
+    const uint8_t mask[] = {0, 1, 0};
+    assert_true(flip_mean(&a, &c, mask) == (double)flip_at(&a, &c, 1));
     flip_destroy(&a);
     flip_destroy(&b);
     flip_destroy(&c);

@@ -11,6 +11,7 @@
 #include "study/finding.h"
 #include "study/fragments.h"
 #include "study/measurements.h"
+#include "study/verdict.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -31,17 +32,19 @@ static void test_median(void **unused) {
 
 static void test_front(void **unused) {
     (void)unused;
-    Point points[] = {{10, 1, 0.1, false},      // fastest
-                      {20, 1, 0.01, false},     // the next step of the front
-                      {25, 1, 0.02, false},     // slower and worse than the second
-                      {21, 1, 0.01, false},     // as good as the second, and slower within the noise only
-                      {30, 1, 0.01, false},     // as good as the second, and surely slower
-                      {20.5, 1, 0.0101, false}, // slower and worse than the second, both within the noise
-                      {40, 1, 0.001, false},    // most accurate
-                      {-1, 0, 0, false}};       // did not draw
-    const bool expected[] = {true, true, false, true, false, true, true, false};
-    pareto_mark(points, 8);
-    for (int i = 0; i < 8; i++)
+    Point points[] = {
+        {10, 1, 0.1, false, false},      // fastest
+        {20, 1, 0.01, false, false},     // the next step of the front
+        {25, 1, 0.02, false, false},     // slower and worse than the second
+        {21, 1, 0.01, false, false},     // as good as the second, and slower within the noise only
+        {30, 1, 0.01, false, false},     // as good as the second, and surely slower
+        {20.5, 1, 0.0101, false, false}, // slower and worse than the second, both within the noise
+        {40, 1, 0.001, false, false},    // most accurate
+        {0.1, 0, 0, false, true},        // aside
+        {-1, 0, 0, false, false}};       // did not draw
+    const bool expected[] = {true, true, false, true, false, true, true, false, false};
+    pareto_mark(points, 9);
+    for (int i = 0; i < 9; i++)
         assert_int_equal(points[i].on_front, expected[i]);
     assert_false(pareto_dominates(&points[0], &points[0]));
     assert_true(pareto_surely_faster(&points[0], &points[1]) &&
@@ -146,7 +149,7 @@ static void test_state(void **unused) {
     char folder[FILES_PATH] = "", path[FILES_PATH];
     Measurements state;
     MeasuredTime times[8];
-    const MeasuredErrors errors = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+    const MeasuredErrors errors = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
     make_path(path, folder, "state");
     assert_true(measurements_open(&state, path) && measurements_errors(&state, 7) == NULL);
     assert_true(measurements_add_time(&state, &(MeasuredTime){7, 1.5, 2.5}) &&
@@ -167,40 +170,87 @@ static void test_state(void **unused) {
     files_remove(folder);
 }
 
-static void add_finding(SceneFindings *findings, double ms, double inside, double off, bool submission) {
+static Finding *add_finding(SceneFindings *findings, double ms, double inside, double off, bool submission) {
     Finding *finding = &findings->findings[findings->count];
-    *finding = (Finding){.method = {.lab = "05", .family = "linear", .submission = submission},
-                         .drawn = true,
-                         .errors = {.interior_false_light = inside, .edge_false_light = 0.001, .off = off}};
+    *finding =
+        (Finding){.method = {.lab = "05", .family = "linear", .submission = submission}, .drawn = true};
+    for (int v = 0; v < STUDY_VIEWS; v++)
+        finding->views[v] =
+            (MeasuredErrors){.interior_false_light = inside, .edge_false_light = 0.001, .off = off};
+    finding_errors(finding);
     snprintf(finding->method.name, sizeof finding->method.name, "map %d", findings->count);
-    findings->points[findings->count++] = (Point){.ms = ms, .mad = 0.1};
+    findings->points[findings->count++] = (Point){.ms = ms, .mad = 0.01};
+    return finding;
+}
+
+static void expect_told(const SceneFindings *findings, const char *part, bool told) {
+    char text[VERDICT_TEXT];
+    findings_tell(findings, text, sizeof text);
+    if ((strstr(text, part) != NULL) != told)
+        fail_msg("\"%s\" %s in \"%s\"", part, told ? "is missing" : "stands", text);
 }
 
 // The cheapest without interior error and with at most half a pixel at the edge, of ours; what lies before it
-// errs.
+// errs. Rays and submissions are never chosen.
 static void test_need(void **unused) {
     (void)unused;
     static SceneFindings findings;
-    static const StudyScene scene = {.name = "made up", .tolerance = 1e-4};
-    char text[512];
-    findings = (SceneFindings){.scene = &scene};
-    add_finding(&findings, 1, 0.5, 0.1, false);      // leaks
-    add_finding(&findings, 2, 0.00001, 0.51, false); // its edge is off; next cheaper
-    add_finding(&findings, 3, 0, 0.5, false);        // needed
-    add_finding(&findings, 2.5, 0, 0.4, true);       // not ours
-    add_finding(&findings, 4, 0, 0.1, false);        // more than needed
+    static const StudyScene scene = {.name = "made up", .tolerance = 1e-4, .edges = true};
+    findings = (SceneFindings){.scene = &scene, .size = {STUDY_WIDTH, STUDY_HEIGHT}};
+    add_finding(&findings, 1, 0.5, 0.1, false);                  // leaks
+    add_finding(&findings, 2, 0.00001, 0.7, false);              // its edge is off; next cheaper
+    add_finding(&findings, 3, 0, 0.3, false);                    // needed
+    add_finding(&findings, 2.5, 0, 0.3, true);                   // not ours
+    add_finding(&findings, 1.5, 0, 0.3, false)->method.rays = 4; // not of a lab
+    add_finding(&findings, 4, 0, 0.1, false);                    // more than needed
     findings_judge(&findings);
     assert_ptr_equal(findings_chosen(&findings), &findings.findings[2]);
+    assert_true(!findings.points[4].on_front && findings.findings[2].enough_views == STUDY_VIEWS);
     findings.points[1].on_front = true;
     assert_ptr_equal(findings_next_cheaper(&findings), &findings.findings[1]);
-    findings_tell(&findings, text, sizeof text);
-    assert_string_equal(
-        text, "linear, map 2 (lab 05); the next cheaper, linear, map 1 (lab 05): its edge is off by "
-              "0.51 pixels");
+    expect_told(&findings,
+                "linear, map 2 (lab 05); in the worst of 6 views its edge is off by 0.30 of 0.5 pixels",
+                true);
+    expect_told(
+        &findings,
+        "the next cheaper, linear, map 1 (lab 05), is enough in 0 views: its edge is off by 0.7 pixels",
+        true);
+    expect_told(&findings, "narrower or wider ask for the same", true);
+    expect_told(&findings, "one view alone", false);
+    expect_told(&findings, "may need more", false);
+    findings.size.width /= 2;
+    expect_told(&findings, "320 x 480, whose pixels are larger: those of 640 x 480 may need more", true);
     findings.count = 2;
     findings_judge(&findings);
-    findings_tell(&findings, text, sizeof text);
-    assert_string_equal(text, "none of these settings is enough");
+    expect_told(&findings, "none of these settings is enough in all 6 views", true);
+}
+
+// One view in which it is not enough excludes a setting, and the verdict says that others saw it otherwise; a
+// limit that a fifth would move it over is said to be one that it hangs on; of equal times the smaller error
+// is taken.
+static void test_sure_need(void **unused) {
+    (void)unused;
+    static SceneFindings findings;
+    static const StudyScene scene = {.name = "made up", .tolerance = 1e-4, .edges = true};
+    findings = (SceneFindings){.scene = &scene, .size = {STUDY_WIDTH, STUDY_HEIGHT}};
+    Finding *first = add_finding(&findings, 1, 0, 0.3, false);
+    first->views[4].off = 0.9;
+    finding_errors(first);
+    add_finding(&findings, 2, 0, 0.45, false);
+    Finding *equal = add_finding(&findings, 2.05, 0, 0.44, false);
+    equal->views[0].edge_false_light = 0; // errs less
+    finding_errors(equal);
+    add_finding(&findings, 3, 0, 0.3, false);
+    findings_judge(&findings);
+    assert_ptr_equal(findings_chosen(&findings), equal);
+    assert_int_equal(first->enough_views, STUDY_VIEWS - 1);
+    expect_told(&findings, "it costs no more than linear, map 1", true);
+    expect_told(&findings, "it hangs on the limits: 20 % narrower ones ask for linear, map 3", true);
+    expect_told(&findings, "one view alone would name 2 different settings", true);
+    assert_int_equal(findings_choose(&findings, 1, 4), 2);
+    assert_int_equal(findings_choose(&findings, 1, 0), 0);
+    assert_int_equal(findings_choose(&findings, 0.1, -1), -1);
+    assert_int_equal(findings_choose(&findings, 2, -1), 0);
 }
 
 // A table of settings of one scene; the times' bars are 1 wide, and the second is on the front where `front`.
@@ -209,7 +259,8 @@ static void write_table(const char *path, double first_ms, double second_ms, boo
     csv_head(file);
     for (int i = 0; i < 2; i++)
         fprintf(file,
-                "edges,05,ours,\"linear\",\"a, map %d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,1,1,0,0,%d,1,0\n",
+                "edges,05,ours,\"linear\",\"a, map "
+                "%d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,0,0,0,0,0,0,0,6,1,1,0,0,%d,1,0\n",
                 i, i ? second_ms : first_ms, i ? front : 1);
     fclose(file);
 }
@@ -243,6 +294,6 @@ int main(void) {
                                        cmocka_unit_test(test_edge_length), cmocka_unit_test(test_edge_error),
                                        cmocka_unit_test(test_map_side),    cmocka_unit_test(test_fragments),
                                        cmocka_unit_test(test_state),       cmocka_unit_test(test_need),
-                                       cmocka_unit_test(test_compare)};
+                                       cmocka_unit_test(test_sure_need),   cmocka_unit_test(test_compare)};
     return cmocka_run_group_tests_name("study", tests, NULL, NULL);
 }
