@@ -1,3 +1,4 @@
+// The shapes that cast shadow volumes, and the volumes of a frame.
 #include "casters.h"
 
 #include "model.h"

@@ -17,6 +17,30 @@ static mat4s view_from_world(vec3s eye, vec3s target) {
     return glms_lookat(eye, target, is_straight(eye, target) ? vec3_make(0, 0, -1) : vec3_make(0, 1, 0));
 }
 
+static const float LEAST_AXIS = 1e-6f; // of an object, world units
+
+static bool object_check(const Object *object, int number) {
+    mat3s axes = glms_mat4_pick3(object->world_from_object);
+    for (int i = 0; i < 3; i++)
+        if (!(glms_vec3_norm(axes.col[i]) >= LEAST_AXIS && glms_vec3_norm(axes.col[i]) < INFINITY))
+            return check_fail(
+                "object %d is flat: axis %c of its world_from_object is %g long; scale it by at "
+                "least %g",
+                number, "xyz"[i], (double)glms_vec3_norm(axes.col[i]), (double)LEAST_AXIS);
+    return glms_mat3_det(axes) > 0 ||
+           check_fail(
+               "object %d is mirrored: its world_from_object turns it inside out (determinant %g); scale "
+               "by positive numbers, and turn it instead",
+               number, (double)glms_mat3_det(axes));
+}
+
+bool scene_check(const Scene *scene) {
+    for (int i = 0; i < scene->object_count; i++)
+        if (!object_check(&scene->objects[i], i))
+            return false;
+    return true;
+}
+
 bool light_is_overhead(const Light *light) {
     return is_straight(light->position, light->target);
 }

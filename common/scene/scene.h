@@ -64,6 +64,11 @@ typedef struct Scene {
 // message lists the names) and for a medium that medium_check refuses.
 bool scene_make(Scene *scene, const char *name, Random *random);
 
+// Can each object be drawn: is none mirrored, which would turn its faces inside out, and none flat or of
+// numbers that are not finite, which has no normals? False with a message that names the object. scene_make
+// and the truth ask.
+bool scene_check(const Scene *scene);
+
 // Name of the i-th scene, NULL past the last.
 const char *scene_name(int i);
 

@@ -23,7 +23,7 @@ bool scene_make(Scene *scene, const char *name, Random *random) {
     for (int i = 0; find(i); i++) {
         if (strcmp(find(i)->name, name) == 0) {
             find(i)->make(scene, random);
-            return medium_check(&scene->medium);
+            return medium_check(&scene->medium) && scene_check(scene);
         }
         check_append(names, sizeof names, "%s\"%s\"", i ? ", " : "", find(i)->name);
     }

@@ -1,3 +1,4 @@
+// Finds the sides of shadow volumes on the CPU, triangle by triangle.
 #include "scene/silhouette.h"
 
 #include "scene/check.h"
@@ -33,6 +34,19 @@ static vec3s to_light(const Caster *caster, vec3s p) {
     return glms_vec3_sub(caster->light->position, from);
 }
 
+// The vertex as seen from the caster's place. Far from the world's origin this is exact to more digits.
+static vec3s place_near(const Caster *caster, uint32_t vertex) {
+    return glms_mat4_mulv3(caster->world_from_object, caster->mesh->vertices[vertex].position, 0);
+}
+
+// From such a point to the light.
+static vec3s near_to_light(const Caster *caster, vec3s p) {
+    const vec4s middle = caster->world_from_object.col[3];
+    if (caster->light->kind == LIGHT_DIRECTIONAL)
+        return glms_vec3_sub(caster->light->position, caster->light->target);
+    return glms_vec3_sub(glms_vec3_sub(caster->light->position, vec3_make(middle.x, middle.y, middle.z)), p);
+}
+
 // Of the triangle's corners in the order of the mesh's numbers, whoever asks: at grazing light rounding
 // decides, and must decide alike for a triangle and its neighbours.
 static bool faces_light(const Caster *caster, uint32_t i, uint32_t j, uint32_t k) {
@@ -42,9 +56,9 @@ static bool faces_light(const Caster *caster, uint32_t i, uint32_t j, uint32_t k
         j = k;
         k = first;
     }
-    vec3s a = place(caster, i), b = place(caster, j), c = place(caster, k);
+    vec3s a = place_near(caster, i), b = place_near(caster, j), c = place_near(caster, k);
     vec3s normal = glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
-    return glms_vec3_dot(normal, to_light(caster, a)) > 0;
+    return glms_vec3_dot(normal, near_to_light(caster, a)) > 0;
 }
 
 static vec4s here(const Caster *caster, uint32_t vertex) {

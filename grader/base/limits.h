@@ -12,8 +12,10 @@ enum {
     EXAM_MAX_TASKS = 32, // more than the highest number M of a task N.M
     EXAM_MAX_MISTAKES = 64,
     EXAM_MAX_ALTERNATIVES = 40,
-    RUBRIC_MAX_EDITS = 6, // of a mistake or an alternative
-    RUBRIC_MAX_HINTS = 9, // of a task
+    EXAM_MAX_PARTS = 48,   // functions of a lab's files, see compile/parts.h
+    EXAM_MAX_RESETS = 512, // versions of our lab with one or two of them as they were handed out
+    RUBRIC_MAX_EDITS = 6,  // of a mistake or an alternative
+    RUBRIC_MAX_HINTS = 9,  // of a task
     RUBRIC_MAX_POINTS = 1000,
     RUBRIC_MAX_CHOICES = 6, // of a knob or of a check's scenes
     RUBRIC_MAX_ALSO = 4,    // alternatives whose other pictures are right, too
@@ -25,6 +27,7 @@ enum {
     RUBRIC_MAX_EDIT = 1 << 14, // the text of an edit
 
     // All that is drawn for one lab: the solution, the skeleton, the solution without the task of a check,
-    // the lab solved up to each task, with each mistake, and each alternative.
-    EXAM_MAX_PAINTERS = 2 + RUBRIC_MAX_CHECKS + EXAM_MAX_TASKS + EXAM_MAX_MISTAKES + EXAM_MAX_ALTERNATIVES
+    // the lab solved up to each task, with each mistake, each alternative, and with parts as handed out.
+    EXAM_MAX_PAINTERS =
+        2 + RUBRIC_MAX_CHECKS + EXAM_MAX_TASKS + EXAM_MAX_MISTAKES + EXAM_MAX_ALTERNATIVES + EXAM_MAX_RESETS
 };

@@ -1,7 +1,9 @@
 // What a child does between fork and exec.
 #pragma once
 
-#include "base/process.h"
+#include "base/process_limits.h"
+
+#include <sys/types.h>
 
 // `ends` become its descriptors 0, 1 and 2, and 3. Ends with 127 and a word on its output when something
 // fails.

@@ -4,6 +4,7 @@
 
 #include "compile/functions.h"
 #include "compile/lab_folder.h"
+#include "diagnose/error_view.h"
 #include "exam/exam_matrix.h"
 #include "exam/frame_score.h"
 #include "scene/check.h"
@@ -50,12 +51,41 @@ static bool edit_lies_in(const Edit *edit, const FaultPart *part, const Rubric *
     return same;
 }
 
-static bool lies_in_fault(const Change *mistake, const Fault *fault, const Rubric *rubric) {
-    for (int e = 0; e < mistake->edit_count; e++)
-        for (int i = 0; i < fault->count; i++)
-            if (edit_lies_in(&mistake->edits[e], &fault->parts[i], rubric))
-                return true;
+// Where we do not know how a mistake is made, its task tells.
+static bool task_lies_in(const char *task, const FaultPart *part) {
+    for (int k = 0; task && k < FAULT_TASKS && part->tasks[k]; k++)
+        if (strcmp(part->tasks[k], task) == 0)
+            return true;
     return false;
+}
+
+static bool lies_in(const Change *mistake, const FaultPart *part, const Rubric *rubric) {
+    if (mistake->edit_count == 0)
+        return !part->tasks[0] || task_lies_in(mistake->task, part);
+    for (int e = 0; e < mistake->edit_count; e++)
+        if (edit_lies_in(&mistake->edits[e], part, rubric))
+            return true;
+    return false;
+}
+
+static bool lies_in_fault(const Change *mistake, const Fault *fault, const Rubric *rubric) {
+    for (int i = 0; i < fault->count; i++)
+        if (lies_in(mistake, &fault->parts[i], rubric))
+            return true;
+    return fault->count == 0;
+}
+
+// In a part that can have the fault, or that could not be tried.
+static bool lies_in_found(const Change *mistake, const ResetFound *found, const Exam *exam) {
+    for (int p = 0; found && found->any && p < exam->parts->count; p++) {
+        FaultPart part;
+        if (!found->parts[p] && !found->unknown[p])
+            continue;
+        reset_part(&part, exam->parts, p);
+        if (lies_in(mistake, &part, exam->rubric))
+            return true;
+    }
+    return !found || !found->any;
 }
 
 // Of a frame of the student's from one of ours, in pixels and in what it tells beside them.
@@ -83,11 +113,22 @@ static bool shows_anything(const CheckResult *check) {
     return check->yours[check->worst].rgba && !error_kind_is_plain(&check->yours[check->worst]);
 }
 
-static bool any_shows(const LabResult *result, const bool failed[]) {
-    for (int c = 0; c < result->check_count; c++)
-        if (failed[c] && shows_anything(&result->checks[c]))
-            return true;
-    return false;
+static bool lost_edges(const CheckResult *check, const Variant *variant, const Rubric *rubric) {
+    return error_view_of(check->check, rubric) != ERROR_VIEW_VALUES &&
+           error_kind_lost_edges(&check->yours[check->worst], &variant->reference, &variant->without);
+}
+
+static NamedLooks looks_of(const LabResult *result, const Exam *exam, const bool failed[]) {
+    NamedLooks looks = NAMED_PLAIN;
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        if (!failed[c] || !shows_anything(check))
+            continue;
+        if (!lost_edges(check, &exam->variants[c][check->worst], exam->rubric))
+            return NAMED_SHOWN;
+        looks = NAMED_NO_EDGES;
+    }
+    return looks;
 }
 
 // Of all checks in question, or with `shown` of those that show anything.
@@ -117,17 +158,19 @@ static bool is_contradicted(const LabResult *result, int m, Exam *exam) {
     return false;
 }
 
-bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[]) {
+bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[],
+                    const ResetFound *found) {
     const Rubric *rubric = exam->rubric;
     double nearest = INFINITY, next = INFINITY, reference = 0;
-    const bool shown = any_shows(result, failed);
-    *named = (Named){-1, -1, !shown};
-    if (!shown && result->fault.count == 0)
+    *named = (Named){-1, -1, looks_of(result, exam, failed)};
+    const bool shown = named->looks != NAMED_PLAIN;
+    const bool placed = result->fault.count > 0 || (found && found->any);
+    if (!shown && !placed)
         return true;
     INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);
     for (int m = 0; m < rubric->mistake_count; m++) {
         const Change *mistake = &rubric->mistakes[m];
-        if (result->fault.count > 0 && !lies_in_fault(mistake, &result->fault, rubric))
+        if (!lies_in_fault(mistake, &result->fault, rubric) || !lies_in_found(mistake, found, exam))
             continue;
         const double own = distance(result, m, exam, failed, shown, &reference);
         if (own < 0)

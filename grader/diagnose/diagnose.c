@@ -2,14 +2,15 @@
 // be at fault, a known mistake, and last what the pictures show. grader/diagnose/README.md gives the reasons.
 #include "diagnose/diagnose.h"
 
+#include "diagnose/reset.h"
 #include "diagnose/swap.h"
+#include "diagnose/error_view.h"
 #include "diagnose/wording.h"
 #include "exam/exam_matrix.h"
 #include "scene/check.h"
 #include "score/error_kind.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 typedef struct Diagnosis {
@@ -71,18 +72,45 @@ static void sort_checks(Diagnosis *this) {
     }
 }
 
-static bool find_suspects(Diagnosis *this) {
-    bool among[EXAM_MAX_TASKS] = {0}, any = false;
-    const Rubric *rubric = this->exam->rubric;
-    const Fault *fault = &this->result->fault;
+// The tasks that are done in the parts with the fault.
+static void know_fault(Known *known, const Fault *fault, const Rubric *rubric) {
     for (int i = 0; i < fault->count; i++)
         for (int k = 0; k < FAULT_TASKS && fault->parts[i].tasks[k]; k++)
-            among[rubric_task_index(rubric, fault->parts[i].tasks[k])] = any = true;
-    for (int t = 0; fault->count == 0 && t < rubric->hint_count; t++)
-        among[t] = !this->open.open[t];
-    if (fault->count > 0 && !any)
-        return true;
-    return suspects_find(&this->suspects, this->result, this->exam, this->failed, among);
+            known->among[rubric_task_index(rubric, fault->parts[i].tasks[k])] = true;
+}
+
+static bool find_suspects(Diagnosis *this, const Known *known) {
+    return suspects_find(&this->suspects, this->result, this->exam, this->failed, known);
+}
+
+static void know_all(Known *known, const Diagnosis *this) {
+    for (int t = 0; t < this->exam->rubric->hint_count; t++)
+        known->among[t] = !this->open.open[t];
+}
+
+static bool find_by_swap(Diagnosis *this, const WorkerClient *student) {
+    Known known = {0};
+    LabResult *result = this->result;
+    if (!swap_find(&result->fault, result, this->exam, student, &this->open, this->failed))
+        return false;
+    known.placed = result->fault.count > 0;
+    if (known.placed)
+        know_fault(&known, &result->fault, this->exam->rubric);
+    else
+        know_all(&known, this);
+    return find_suspects(this, &known);
+}
+
+static bool find_by_reset(Diagnosis *this, const WorkerClient *student, ResetFound *found) {
+    LabResult *result = this->result;
+    bool any = false;
+    if (!reset_find(found, result, this->exam, student, &this->open, this->failed))
+        return false;
+    for (int t = 0; t < EXAM_MAX_TASKS; t++)
+        any = any || found->known.among[t];
+    if (!any && !found->any)
+        know_all(&found->known, this);
+    return find_suspects(this, &found->known);
 }
 
 static void describe_size(CheckResult *check, const Variant *variant) {
@@ -90,15 +118,6 @@ static void describe_size(CheckResult *check, const Variant *variant) {
     snprintf(check->seen, sizeof check->seen, "the texture \"%s\" is %d x %d, and here it has to be %d x %d",
              check->check->view, yours->stage_width, yours->stage_height, ours->stage_width,
              ours->stage_height);
-}
-
-// The labs before the first shadow map have no shadows; stages are maps, atlases and counts.
-static ErrorView view_of(const CheckResult *check, const Rubric *rubric) {
-    const bool shadows = atoi(rubric->id) > 2;
-    if (shadows && strcmp(check->check->view, "picture") == 0)
-        return ERROR_VIEW_SHADED;
-    return shadows && strcmp(check->check->view, "visibility") == 0 ? ERROR_VIEW_VISIBILITY
-                                                                    : ERROR_VIEW_VALUES;
 }
 
 // What the picture shows, when it says something beside the cause.
@@ -118,7 +137,7 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
         snprintf(check->seen, sizeof check->seen, "the picture is that of the lab as it was handed out");
     else
         error_kind(check->seen, sizeof check->seen, &check->yours[check->worst],
-                   &exam->variants[c][check->worst].reference, view_of(check, exam->rubric));
+                   &exam->variants[c][check->worst].reference, error_view_of(check->check, exam->rubric));
 }
 
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {
@@ -158,9 +177,44 @@ static void name_faults(Diagnosis *this) {
         snprintf(this->result->advice, sizeof this->result->advice, "%s", hint);
 }
 
-bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, bool swap) {
+static bool find_mistake(Diagnosis *this, const ResetFound *found) {
+    return catalogue_find(&this->named, this->result, this->exam, this->failed, found);
+}
+
+// The mistake's name says which task it is; the parts are then those of that task.
+static void narrow_to_named(Diagnosis *this) {
+    const Rubric *rubric = this->exam->rubric;
+    const int named[2] = {this->named.first, this->named.second};
+    Suspects narrow = {.certain = this->suspects.certain};
+    for (int i = 0; i < 2 && this->named.looks == NAMED_SHOWN; i++) {
+        const char *task = named[i] >= 0 ? rubric->mistakes[named[i]].task : NULL;
+        const int t = task ? rubric_task_index(rubric, task) : -1;
+        if (t >= 0 && (i == 0 || t != narrow.tasks[0]))
+            narrow.tasks[narrow.count++] = t;
+    }
+    if (narrow.count > 0)
+        this->suspects = narrow;
+}
+
+static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch search) {
+    static ResetFound found;
+    Known known = {0};
+    know_all(&known, this);
+    if (search == FAULT_BY_PICTURES)
+        return find_suspects(this, &known) && find_mistake(this, NULL);
+    if (search == FAULT_BY_SWAP && this->exam->painters)
+        return find_by_swap(this, student) && find_mistake(this, NULL);
+    if (!find_by_reset(this, student, &found) || !find_mistake(this, &found))
+        return false;
+    if (!found.both)
+        narrow_to_named(this);
+    reset_note(&this->result->fault, &found, &this->suspects, this->exam->parts);
+    return true;
+}
+
+bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, FaultSearch search) {
     static Diagnosis this;
-    this = (Diagnosis){.result = result, .exam = exam, .named = {-1, -1, false}};
+    this = (Diagnosis){.result = result, .exam = exam, .named = {.first = -1, .second = -1}};
     open_tasks_find(&this.open, result, exam, student->folder);
     sort_checks(&this);
     if (!this.any_failed) {
@@ -168,9 +222,7 @@ bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, bool s
             wording_summary(result, NULL, &this.suspects, this.next, exam->rubric);
         return true;
     }
-    if (swap && exam->painters && !swap_find(&result->fault, result, exam, student, &this.open, this.failed))
-        return false;
-    if (!find_suspects(&this) || !catalogue_find(&this.named, result, exam, this.failed))
+    if (!find_fault(&this, student, search))
         return false;
     name_faults(&this);
     return true;

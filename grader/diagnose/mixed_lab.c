@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "compile/lab_folder.h"
+#include "exam/handed_out.h"
 #include "exam/frame_score.h"
 #include "scene/check.h"
 
@@ -13,7 +14,7 @@
 static const double SECONDS = 2, PATIENCE = 5; // of processor time that one try may draw, and of the clock
 
 bool mixed_lab_open(MixedLab *lab, const LabResult *result, Exam *exam, const WorkerClient *student,
-                    Solved solved) {
+                    const Solved *solved) {
     *lab = (MixedLab){.result = result, .exam = exam, .student = student};
     for (int i = 0; i < exam->rubric->file_count; i++) {
         MixedFile *file = &lab->files[i];
@@ -21,7 +22,8 @@ bool mixed_lab_open(MixedLab *lab, const LabResult *result, Exam *exam, const Wo
         file->name = exam->rubric->files[i];
         files_join(path, student->folder, file->name);
         file->text = files_read(path, DERIVE_MAX_FILE);
-        file->ours_text = lab_folder_source(exam->rubric, i, solved);
+        file->ours_text =
+            solved ? lab_folder_source(exam->rubric, i, *solved) : handed_out_text(exam->rubric, i);
         if (!file->text || !file->ours_text)
             return false;
         functions_split(&file->theirs, file->text);
@@ -98,7 +100,34 @@ static int count_passing(const MixedLab *lab, Drawing *drawing) {
     return drawing->drew ? count : -1;
 }
 
-int mixed_lab_try(const MixedLab *lab) {
+typedef struct Judging {
+    MixedJudge *judge; // NULL: the checks that pass are counted
+    void *context;
+} Judging;
+
+static bool judge_check(const MixedLab *lab, Drawing *drawing, int c, const Judging *judging) {
+    static Reply reply;
+    const Variant *variant = &lab->exam->variants[c][lab->result->checks[c].worst];
+    const DrawResult drawn =
+        worker_client_draw(drawing->worker, &variant->request, &drawing->picture, &reply);
+    if (drawn != DRAW_OK && drawn != DRAW_FAILED) // what draws nothing, and says why, is black
+        return false;
+    judging->judge(judging->context, c, &drawing->picture, &reply.facts);
+    return true;
+}
+
+static int judge_all(const MixedLab *lab, Drawing *drawing, const Judging *judging) {
+    int count = 0;
+    for (int c = 0; c < lab->result->check_count; c++) {
+        if (lab->failed[c] && !judge_check(lab, drawing, c, judging))
+            return -1;
+        count += lab->failed[c];
+    }
+    return count;
+}
+
+// How many of the failed checks pass, or were drawn for the judge; -1: it cannot be compiled or drawn.
+static int draw_with(const MixedLab *lab, const Judging *judging) {
     static WorkerClient worker;
     int count = -1;
     worker = (WorkerClient){.trust = TRUST_NOBODY,
@@ -111,11 +140,19 @@ int mixed_lab_try(const MixedLab *lab) {
         return -1;
     if (build(lab, worker.folder)) {
         Drawing drawing = {.worker = &worker, .alive = true};
-        count = count_passing(lab, &drawing);
+        count = judging->judge ? judge_all(lab, &drawing, judging) : count_passing(lab, &drawing);
         image_destroy(&drawing.picture);
     }
     worker_client_stop(&worker);
     files_remove(worker.folder);
     check_clear();
     return count;
+}
+
+int mixed_lab_try(const MixedLab *lab) {
+    return draw_with(lab, &(Judging){0});
+}
+
+bool mixed_lab_draw(const MixedLab *lab, MixedJudge *judge, void *context) {
+    return draw_with(lab, &(Judging){judge, context}) == lab->failed_count;
 }

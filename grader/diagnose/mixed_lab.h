@@ -25,10 +25,18 @@ typedef struct MixedLab {
     int failed_count;
 } MixedLab;
 
-// Reads the student's files and our sources with these tasks solved. False with a message.
+// Reads the student's files and our sources with these tasks solved; NULL: the files as they were handed out.
+// False with a message.
 bool mixed_lab_open(MixedLab *lab, const LabResult *result, Exam *exam, const WorkerClient *student,
-                    Solved solved);
+                    const Solved *solved);
 void mixed_lab_close(MixedLab *lab); // accepts a zeroed one
 
 // How many of the failed checks pass as the files are chosen now; -1 when that does not compile or draw.
 int mixed_lab_try(const MixedLab *lab);
+
+// Takes what the lab draws in the worst variant of check c; `picture` is valid until it returns.
+typedef void MixedJudge(void *context, int c, const Image *picture, const FrameFacts *facts);
+
+// Draws the failed checks as the files are chosen now. False when that does not compile, or not all of them
+// were drawn.
+bool mixed_lab_draw(const MixedLab *lab, MixedJudge *judge, void *context);

@@ -4,7 +4,7 @@
 #include "base/files.h"
 #include "compile/lab_folder.h"
 #include "compile/tokens.h"
-#include "exam/exam_file.h"
+#include "exam/handed_out.h"
 #include "score/score.h"
 #include "scene/check.h"
 
@@ -39,8 +39,8 @@ static bool stands_as_handed_out(const char *mark, const char *at, const char *s
 // what follows may be the place of another task.
 static bool is_untouched(const char *mark, const char *at, const Rubric *rubric, int file, int t) {
     const Solved all_but = {SOLVED_ALL_BUT, rubric->hints[t].task};
-    char *skeleton = exam_file_skeleton(rubric, file);
-    char *without = exam_file_only() ? NULL : lab_folder_source(rubric, file, all_but);
+    char *skeleton = handed_out_text(rubric, file);
+    char *without = handed_out_alone() ? NULL : lab_folder_source(rubric, file, all_but);
     const bool same = (skeleton && stands_as_handed_out(mark, at, skeleton)) ||
                       (without && stands_as_handed_out(mark, at, without));
     free(skeleton);

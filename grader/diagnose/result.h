@@ -48,10 +48,14 @@ typedef struct FaultPart {
         *tasks[FAULT_TASKS]; // that are done there, the most likely first; all NULL in what was handed out
 } FaultPart;
 
-// With our parts in the place of these, `repaired` of the `failed` checks pass.
+// With our parts in the place of these, `repaired` of the `failed` checks pass. Or, where ours are not at
+// hand: with these parts as they were handed out, the lab draws in so many of them what ours does that has
+// the same part as it was handed out.
 typedef struct Fault {
     FaultPart parts[FAULT_PARTS];
     int count, failed, repaired;
+    bool reset;   // the parts were as handed out
+    bool either;  // one of the parts has the fault, and not each
     bool stopped; // the time was over before all was tried
 } Fault;
 

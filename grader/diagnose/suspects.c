@@ -1,45 +1,89 @@
+// Compares which checks failed with those that fail without a task, and with its known mistakes.
 #include "diagnose/suspects.h"
 
 #include "exam/exam_matrix.h"
 
 #include <string.h>
 
+// What speaks against a task. One that is not done shows in more checks than one that is done nearly right,
+// so a check that passes says less against it than against a mistake.
+enum {
+    MISTAKE_MISFITS = 2,
+    UNDONE_FAILS = 1,  // without the task the check fails, which passed here
+    UNDONE_PASSES = 2, // ... the other way round; where the place is known, a fault may just do too much
+    UNDONE_PASSES_PLACED = 1,
+    BY_CHANCE = 2, // as many checks count one
+    OWN_CHECK = 2, // speaks for it
+    MOST_OWN = 2,  // checks that count so
+    MARGIN = 1     // what is this near to the best may be it as well
+};
+
 typedef struct Evidence {
-    int for_it, against, own; // checks in question that fail without the task; that passed; that are about it
+    int weight;    // what speaks against the task: the less, the more likely
+    bool explains; // any of the checks in question
+    bool certain;  // undone, the task fails just those
 } Evidence;
 
-static bool weigh(Evidence *evidence, int t, const LabResult *result, Exam *exam, const bool failed[]) {
+typedef ExamEntry Entry(Exam *exam, int number, int c);
+
+// What compare adds to the weight of a check that passes here and fails so, and of the other way round.
+typedef struct Costs {
+    int fails, passes;
+} Costs;
+
+// Weighs which checks fail here against which of them fail so. False when ours cannot draw.
+static bool compare(Evidence *evidence, const LabResult *result, Exam *exam, const bool failed[],
+                    Entry *entry, int number, Costs costs) {
     *evidence = (Evidence){0};
     for (int c = 0; c < result->check_count; c++) {
-        const CheckResult *check = &result->checks[c];
-        if (!failed[c] && !check->passed)
+        if (!failed[c] && !result->checks[c].passed)
             continue;
-        const ExamEntry entry = exam_without_task(exam, t, c);
-        if (entry == EXAM_UNKNOWN && exam->painters)
+        const ExamEntry so = entry(exam, number, c);
+        if (so == EXAM_UNKNOWN && exam->painters)
             return false;
-        evidence->for_it += entry == EXAM_FAILS && failed[c];
-        evidence->against += entry == EXAM_FAILS && check->passed;
-        evidence->own += failed[c] && strcmp(check->check->task, exam->rubric->hints[t].task) == 0;
+        evidence->weight += so == EXAM_FAILS && !failed[c]   ? costs.fails
+                            : so == EXAM_PASSES && failed[c] ? costs.passes
+                                                             : 0;
+        evidence->explains = evidence->explains || (so == EXAM_FAILS && failed[c]);
     }
+    evidence->certain = evidence->explains && evidence->weight == 0;
     return true;
 }
 
-// Is x the more likely one? What explains more first, then what less contradicts.
-static bool is_before(const Evidence *x, const Evidence *y) {
-    if (x->for_it != y->for_it)
-        return x->for_it > y->for_it;
-    if (x->against != y->against)
-        return x->against < y->against;
-    return x->own > y->own;
+// Takes the mistake's evidence where it fits better than what there is.
+static void take_better(Evidence *evidence, const Evidence *mistake) {
+    if (mistake->explains && (!evidence->explains || mistake->weight < evidence->weight)) {
+        evidence->weight = mistake->weight;
+        evidence->explains = true;
+    }
 }
 
-static bool is_equal(const Evidence *x, const Evidence *y) {
-    return x->for_it == y->for_it && x->against == y->against;
+static bool weigh(Evidence *evidence, int t, const LabResult *result, Exam *exam, const bool failed[],
+                  const Known *known) {
+    const Rubric *rubric = exam->rubric;
+    const char *task = rubric->hints[t].task;
+    const Costs undone = {UNDONE_FAILS, known->placed ? UNDONE_PASSES_PLACED : UNDONE_PASSES};
+    if (!compare(evidence, result, exam, failed, exam_without_task, t, undone))
+        return false;
+    for (int m = 0; m < rubric->mistake_count && !evidence->certain; m++) {
+        Evidence mistake;
+        if (!rubric->mistakes[m].task || strcmp(rubric->mistakes[m].task, task) != 0)
+            continue;
+        if (!compare(&mistake, result, exam, failed, exam_with_mistake, m,
+                     (Costs){MISTAKE_MISFITS, MISTAKE_MISFITS}))
+            return false;
+        take_better(evidence, &mistake);
+    }
+    int own = 0;
+    for (int c = 0; c < result->check_count && own < MOST_OWN; c++)
+        own += failed[c] && strcmp(result->checks[c].check->task, task) == 0;
+    evidence->weight += (known->by_chance[t] + BY_CHANCE - 1) / BY_CHANCE - own * OWN_CHECK;
+    return true;
 }
 
 static void insert(Suspects *suspects, Evidence *sorted, int t, const Evidence *evidence) {
     int i = suspects->count++;
-    for (; i > 0 && is_before(evidence, &sorted[i - 1]); i--) {
+    for (; i > 0 && evidence->weight < sorted[i - 1].weight; i--) {
         suspects->tasks[i] = suspects->tasks[i - 1];
         sorted[i] = sorted[i - 1];
     }
@@ -47,42 +91,24 @@ static void insert(Suspects *suspects, Evidence *sorted, int t, const Evidence *
     sorted[i] = *evidence;
 }
 
-// The task that all checks in question are about; -1: they are about several.
-static int own_task(const LabResult *result, const Rubric *rubric, const bool failed[]) {
-    int own = -1;
-    for (int c = 0; c < result->check_count; c++) {
-        const int t = failed[c] ? rubric_task_index(rubric, result->checks[c].check->task) : own;
-        if (t < 0 && failed[c])
-            return -1;
-        if (own >= 0 && t != own)
-            return -1;
-        own = t;
-    }
-    return own;
-}
-
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
-                   const bool among[]) {
+                   const Known *known) {
     Evidence sorted[EXAM_MAX_TASKS] = {0}, evidence;
-    int wanted = 0;
     *suspects = (Suspects){0};
-    for (int c = 0; c < result->check_count; c++)
-        wanted += failed[c];
     for (int t = 0; t < exam->rubric->hint_count; t++) {
-        if (!among[t])
+        if (!known->among[t])
             continue;
-        if (!weigh(&evidence, t, result, exam, failed))
+        if (!weigh(&evidence, t, result, exam, failed, known))
             return false;
-        if (evidence.for_it > 0)
+        if (evidence.explains)
             insert(suspects, sorted, t, &evidence);
     }
-    int equal = 0;
-    while (equal < suspects->count && is_equal(&sorted[equal], &sorted[0]))
-        equal++;
-    suspects->count = equal;
-    suspects->certain = equal > 0 && sorted[0].for_it == wanted && sorted[0].against == 0;
-    const int own = own_task(result, exam->rubric, failed);
-    if (!suspects->certain && own >= 0 && among[own])
-        *suspects = (Suspects){.tasks = {own}, .count = 1};
+    int near = 0;
+    while (near < suspects->count && sorted[near].weight <= sorted[0].weight + MARGIN)
+        near++;
+    suspects->count = near;
+    suspects->certain = near > 0;
+    for (int i = 0; i < near; i++)
+        suspects->certain = suspects->certain && sorted[i].certain;
     return true;
 }

@@ -9,12 +9,19 @@
 typedef struct Suspects {
     int tasks[EXAM_MAX_TASKS]; // by rubric_task_index, the most likely first
     int count;
-    bool certain; // each shows in all checks in question and in none that passed
+    bool certain; // undone, each fails just the checks in question
 } Suspects;
 
-// Of the tasks in `among` (by index) those that show in all checks in `failed` and in the fewest that passed;
-// when none shows in all, those that show in most. Where that
-// is not certain and all failed checks are about one task, that one. A check's own tasks come first among
-// equals. False with a message when ours cannot draw.
+// What is known of the tasks, by rubric_task_index.
+typedef struct Known {
+    bool among[EXAM_MAX_TASKS];    // those in question
+    int by_chance[EXAM_MAX_TASKS]; // checks in which another part hides a fault there but by chance
+    bool placed;                   // the parts with the fault are known, and the tasks are those in them
+} Known;
+
+// Of the tasks in question those that fit best: of which the task undone, or a known mistake in it, fails the
+// checks in `failed` and no others, but for the fewest; and with them those that fit nearly as well, since a
+// fault that nobody knows yet may fail another check than those. That failed checks are about a task speaks
+// for it. False with a message when ours cannot draw.
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
-                   const bool among[]);
+                   const Known *known);

@@ -287,7 +287,7 @@ bool swap_find(Fault *fault, const LabResult *result, Exam *exam, const WorkerCl
     search = (SwapSearch){.rubric = exam->rubric, .began = process_now()};
     list_open(open, sizeof open, tasks, exam->rubric);
     const Solved solved = open[0] ? (Solved){SOLVED_WITHOUT, open} : (Solved){SOLVED_ALL, NULL};
-    const bool ok = mixed_lab_open(&search.lab, result, exam, student, solved);
+    const bool ok = mixed_lab_open(&search.lab, result, exam, student, &solved);
     for (int c = 0; c < result->check_count; c++) {
         search.lab.failed[c] = failed[c];
         search.lab.failed_count += failed[c];

@@ -20,7 +20,7 @@ static void add_part(char *text, size_t size, const FaultPart *part) {
 void wording_place(char *text, size_t size, const Fault *fault) {
     text[0] = '\0';
     for (int i = 0; i < fault->count; i++) {
-        check_append(text, size, "%s", i ? " and " : "");
+        check_append(text, size, "%s", i == 0 ? "" : fault->either ? " or " : " and ");
         add_part(text, size, &fault->parts[i]);
     }
 }
@@ -36,8 +36,23 @@ static void add_tasks(char *text, size_t size, const Suspects *suspects, const R
                      rubric->hints[suspects->tasks[i]].task);
 }
 
+// "with that as it was handed out, the rest draws right", "... in 3 of 5 failed checks"
+static void add_reset_proof(char *text, size_t size, const Fault *fault) {
+    check_append(text, size, "with %s as handed out, the rest draws as it should",
+                 fault->either      ? fault->count > 2 ? "any of them" : "either"
+                 : fault->count > 1 ? "them"
+                                    : "it");
+    if (fault->repaired < fault->failed)
+        check_append(text, size, " in %d of %d failed checks, so this is not all", fault->repaired,
+                     fault->failed);
+}
+
 // "all checks pass", "3 of 5 failed checks pass"
 static void add_proof(char *text, size_t size, const Fault *fault) {
+    if (fault->reset) {
+        add_reset_proof(text, size, fault);
+        return;
+    }
     check_append(text, size, "with ours in %s place ", fault->count > 1 ? "their" : "its");
     if (fault->repaired == fault->failed)
         check_append(text, size, fault->failed > 1 ? "all of them pass" : "it passes");
@@ -68,9 +83,9 @@ static void add_cause(char *cause, size_t size, const LabResult *result, const S
     const Fault *fault = &result->fault;
     char place[400];
     wording_place(place, sizeof place, fault);
-    if (fault->count > 1)
+    if (fault->count > 1 && !fault->either)
         check_append(cause, size, "there are faults %s", place);
-    else if (fault->count == 1)
+    else if (fault->count > 0)
         check_append(cause, size, "%s fault is %s", fault->repaired == fault->failed ? "the" : "a", place);
     else if (suspects->count == 0)
         check_append(cause, size, "the picture differs");
@@ -92,8 +107,10 @@ void wording_names(char *text, size_t size, const Named *named, const Rubric *ru
     check_append(text, size, "%s", rubric->mistakes[named->first].name);
     if (named->second >= 0)
         check_append(text, size, ", or %s", rubric->mistakes[named->second].name);
-    if (named->plain)
+    if (named->looks == NAMED_PLAIN)
         check_append(text, size, ", or something else there that leaves the picture in one colour");
+    else if (named->looks == NAMED_NO_EDGES)
+        check_append(text, size, ", or something else there that leaves all of it lit, or all dark");
 }
 
 void wording_summary(LabResult *result, const char *mistake, const Suspects *suspects, const char *open,

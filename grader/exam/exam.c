@@ -6,6 +6,7 @@
 #include "exam/exam_draw.h"
 #include "score/score.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum { MAX_TRIES = 60 };
@@ -132,20 +133,13 @@ bool exam_create(Exam *exam, const Rubric *rubric, Painters *painters, uint64_t 
     return true;
 }
 
-static const Image *shown(const LatePicture *late, const Variant *variant) {
+const Image *exam_shown(const LatePicture *late, const Variant *variant) {
     return late->image.rgba ? &late->image : &variant->reference;
 }
 
 // Most mistakes do not show in most checks: of those that draw the reference, nothing is kept.
-static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant *variant, Solved solved,
-                              const Change *change) {
+const Image *exam_late(LatePicture *late, const Exam *exam, const Variant *variant, const Painter *painter) {
     static Reply reply;
-    if (late->known)
-        return shown(late, variant);
-    const Painter *painter = exam->painters ? painters_get(exam->painters, solved, change) : NULL;
-    if (!exam->painters)
-        check_fail("a picture is missing in the recorded exam %llu of lab %s", (unsigned long long)exam->seed,
-                   exam->rubric->id);
     if (!painter || !painters_draw(exam->painters, painter, &variant->request, &late->image, &reply))
         return NULL;
     late->known = true;
@@ -153,7 +147,18 @@ static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant
     late->facts = reply.facts;
     if (memcmp(late->image.rgba, variant->reference.rgba, image_bytes(&late->image)) == 0)
         image_destroy(&late->image);
-    return shown(late, variant);
+    return exam_shown(late, variant);
+}
+
+static const Image *draw_late(LatePicture *late, const Exam *exam, const Variant *variant, Solved solved,
+                              const Change *change) {
+    if (late->known)
+        return exam_shown(late, variant);
+    if (exam->painters)
+        return exam_late(late, exam, variant, painters_get(exam->painters, solved, change));
+    check_fail("a picture is missing in the recorded exam %llu of lab %s", (unsigned long long)exam->seed,
+               exam->rubric->id);
+    return NULL;
 }
 
 const Image *exam_mistake(Exam *exam, int m, int c, int n) {
@@ -185,5 +190,11 @@ void exam_destroy(Exam *exam) {
                 image_destroy(&exam->partials[t][c][n].image);
             for (int a = 0; a < RUBRIC_MAX_ALSO; a++)
                 image_destroy(&exam->also[a][c][n].image);
+            for (int p = 0; p < EXAM_MAX_PARTS; p++)
+                image_destroy(&exam->resets[p][c][n].image);
         }
+    if (exam->parts)
+        parts_destroy(exam->parts);
+    free(exam->parts);
+    exam->parts = NULL;
 }

@@ -27,6 +27,7 @@ typedef struct LatePicture {
 } LatePicture;
 
 typedef enum ExamEntry { EXAM_UNKNOWN, EXAM_PASSES, EXAM_FAILS } ExamEntry;
+typedef enum ExamHidden { EXAM_HIDDEN_UNKNOWN, EXAM_HIDDEN, EXAM_SEEN } ExamHidden;
 
 typedef struct Exam {
     const Rubric *rubric;
@@ -40,6 +41,9 @@ typedef struct Exam {
     LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     ExamEntry without_task[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS]; // see exam_matrix.h
     LatePicture also[RUBRIC_MAX_ALSO][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    Parts *parts; // owned; NULL until exam_reset.h needs them
+    LatePicture resets[EXAM_MAX_PARTS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
+    ExamHidden hidden[EXAM_MAX_PARTS][EXAM_MAX_PARTS][RUBRIC_MAX_CHECKS]; // see exam_reset.h
 } Exam;
 
 // Is variants[n], drawn, worth asking beside those before it? The task and the whole lab must each change at
@@ -64,6 +68,11 @@ const Image *exam_partial(Exam *exam, int t, int c, int n);
 
 // The same of the a-th alternative whose other pictures are right, too ("also right" in the rubric).
 const Image *exam_also(Exam *exam, int a, int c, int n);
+
+// Draws a late picture of the variant and keeps it. NULL with a message when there is no painter or ours
+// cannot draw. For this room, as is exam_shown: the picture of a late one that is known.
+const Image *exam_shown(const LatePicture *late, const Variant *variant);
+const Image *exam_late(LatePicture *late, const Exam *exam, const Variant *variant, const Painter *painter);
 
 // Sum of the pass times of a reply.
 float exam_milliseconds(const Reply *reply);

@@ -4,9 +4,10 @@
 
 #include "scene/check.h"
 #include "base/places.h"
-#include "compile/lab_folder.h"
 #include "exam/exam_matrix.h"
+#include "exam/exam_reset.h"
 #include "exam/exam_facts.h"
+#include "exam/handed_out.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -17,14 +18,10 @@
 // A check's frames lie one below the other in one PNG: of each variant the reference, and then what differs
 // from it, as the exclusive or with the reference, which is mostly 0. Other frames refer to theirs by its
 // distance from the reference, 0 for the reference itself.
-enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + 3, MAX_SEEDS = 10000 };
-
-bool exam_file_only(void) {
-    char solutions[FILES_PATH], recorded[FILES_PATH];
-    places_path(solutions, "solutions");
-    places_path(recorded, "grader/recorded/seeds.json");
-    return !files_exists(solutions) && files_exists(recorded);
-}
+enum {
+    MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + EXAM_MAX_PARTS + 3,
+    MAX_SEEDS = 10000
+};
 
 static bool take_seed(const JsonPlace *file, const json_t *seeds, size_t i, uint64_t *seed) {
     const char *text = json_string_value(json_array_get(seeds, i));
@@ -41,7 +38,7 @@ bool exam_file_draw_seed(uint64_t *seed) {
     char path[FILES_PATH];
     ssize_t drawn = getrandom(seed, sizeof *seed, 0);
     INVARIANT(drawn == sizeof *seed);
-    if (!exam_file_only())
+    if (!handed_out_alone())
         return true;
     places_path(path, "grader/recorded");
     const JsonPlace file = {.folder = path, .file = "seeds.json"};
@@ -51,33 +48,6 @@ bool exam_file_draw_seed(uint64_t *seed) {
     ok = ok && take_seed(&file, seeds, (size_t)(*seed % json_array_size(seeds)), seed);
     json_decref(seeds);
     return ok;
-}
-
-// Where a file that students get lies: as they get it, where there are no solutions.
-static void place_handed_out(char path[FILES_PATH], const Rubric *rubric, const char *name) {
-    char folder[FILES_PATH];
-    snprintf(folder, sizeof folder, "%s", rubric->folder);
-    if (exam_file_only()) {
-        places_path(path, "grader/recorded/labs");
-        files_join(folder, path, strrchr(rubric->folder, '/') + 1);
-    }
-    files_join(path, folder, name);
-}
-
-bool exam_file_is_handed_out(const Rubric *rubric, const char *name) {
-    char path[FILES_PATH];
-    if (strlen(name) > 200)
-        return false;
-    place_handed_out(path, rubric, name);
-    return files_exists(path);
-}
-
-char *exam_file_skeleton(const Rubric *rubric, int i) {
-    char path[FILES_PATH];
-    if (!exam_file_only())
-        return lab_folder_source(rubric, i, (Solved){SOLVED_NONE, NULL});
-    place_handed_out(path, rubric, rubric->files[i]);
-    return files_read(path, DERIVE_MAX_FILE);
 }
 
 static void place(char path[FILES_PATH], const char *folder, uint64_t seed, const char *end) {
@@ -118,19 +88,13 @@ static json_t *put_mistakes(Strip *strip, Exam *exam, int c, int n) {
     return list;
 }
 
-static json_t *put_partials(Strip *strip, Exam *exam, int c, int n) {
-    json_t *list = json_array();
-    for (int t = 0; t < EXAM_MAX_TASKS; t++) {
-        const Image *frame = exam_partial(exam, t, c, n);
-        json_array_append_new(list, json_integer(frame ? put(strip, frame) : -1));
-    }
-    return list;
-}
+typedef const Image *LateOf(Exam *exam, int i, int c, int n);
 
-static json_t *put_also(Strip *strip, Exam *exam, int c, int n) {
+// -1: ours drew none, because there is no such task, or what is as it was handed out does not fit the rest.
+static json_t *put_late(Strip *strip, Exam *exam, LateOf *late, int count, int c, int n) {
     json_t *list = json_array();
-    for (int a = 0; a < exam->rubric->also_count; a++) {
-        const Image *frame = exam_also(exam, a, c, n);
+    for (int i = 0; i < count; i++) {
+        const Image *frame = late(exam, i, c, n);
         json_array_append_new(list, json_integer(frame ? put(strip, frame) : -1));
     }
     return list;
@@ -141,10 +105,14 @@ static json_t *put_variant(Strip *strip, Exam *exam, int c, int n) {
     strip->base = strip->count;
     put(strip, &variant->reference);
     int without = put(strip, &variant->without), skeleton = put(strip, &variant->skeleton);
-    json_t *mistakes = put_mistakes(strip, exam, c, n), *partials = put_partials(strip, exam, c, n);
-    return json_pack("{s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o}", "try", exam->tries[c][n], "frame",
+    const Parts *parts = exam_parts(exam);
+    json_t *mistakes = put_mistakes(strip, exam, c, n),
+           *partials = put_late(strip, exam, exam_partial, EXAM_MAX_TASKS, c, n),
+           *also = put_late(strip, exam, exam_also, exam->rubric->also_count, c, n),
+           *resets = put_late(strip, exam, exam_reset, parts ? parts->count : 0, c, n);
+    return json_pack("{s:i, s:i, s:i, s:i, s:o, s:o, s:o, s:o, s:o}", "try", exam->tries[c][n], "frame",
                      strip->base, "without", without, "skeleton", skeleton, "mistakes", mistakes, "partials",
-                     partials, "also", put_also(strip, exam, c, n), "facts", exam_facts_pack(exam, c, n));
+                     partials, "also", also, "resets", resets, "facts", exam_facts_pack(exam, c, n));
 }
 
 static bool write_strip(const Strip *strip, const char *path) {
@@ -186,8 +154,9 @@ static bool save_check(Exam *exam, int c, const char *folder, json_t *checks) {
 bool exam_file_save(Exam *exam, const char *folder) {
     char path[FILES_PATH];
     json_t *checks = json_array();
-    json_t *root = json_pack("{s:i, s:s, s:o, s:o}", "version", 2, "renderer", exam->renderer, "checks",
-                             checks, "without_task", exam_matrix_pack(exam));
+    json_t *root =
+        json_pack("{s:i, s:s, s:o, s:o, s:o}", "version", 3, "renderer", exam->renderer, "checks", checks,
+                  "without_task", exam_matrix_pack(exam), "hidden", exam_hidden_pack(exam));
     bool ok = true;
     for (int c = 0; ok && c < exam->rubric->check_count; c++)
         ok = save_check(exam, c, folder, checks);
@@ -227,10 +196,10 @@ static bool cut_late(LatePicture *late, const Cutting *cutting, json_t *list, in
 static bool load_variant(Exam *exam, int c, int n, const Image *strip, json_t *entry) {
     Variant *variant = &exam->variants[c][n];
     int base, without, skeleton;
-    json_t *mistakes, *partials, *also, *facts;
-    if (json_unpack(entry, "{s:i, s:i, s:i, s:o, s:o, s:o, s:o}", "frame", &base, "without", &without,
+    json_t *mistakes, *partials, *also, *resets, *facts;
+    if (json_unpack(entry, "{s:i, s:i, s:i, s:o, s:o, s:o, s:o, s:o}", "frame", &base, "without", &without,
                     "skeleton", &skeleton, "mistakes", &mistakes, "partials", &partials, "also", &also,
-                    "facts", &facts) != 0 ||
+                    "resets", &resets, "facts", &facts) != 0 ||
         json_array_size(mistakes) != (size_t)exam->rubric->mistake_count)
         return false;
     const Cutting cutting = {strip, &variant->request, base};
@@ -243,6 +212,8 @@ static bool load_variant(Exam *exam, int c, int n, const Image *strip, json_t *e
         ok = cut_late(&exam->partials[t][c][n], &cutting, partials, t);
     for (int a = 0; ok && a < exam->rubric->also_count; a++)
         ok = cut_late(&exam->also[a][c][n], &cutting, also, a);
+    for (int p = 0; ok && p < EXAM_MAX_PARTS; p++)
+        ok = cut_late(&exam->resets[p][c][n], &cutting, resets, p);
     exam_facts_unpack(exam, c, n, facts);
     return ok;
 }
@@ -277,7 +248,8 @@ bool exam_file_load(Exam *exam, const Rubric *rubric, uint64_t seed) {
                           (unsigned long long)seed);
     bool ok = renderer && json_array_size(checks) == (size_t)rubric->check_count &&
               restore(exam, rubric, seed, checks) &&
-              exam_matrix_unpack(exam, json_object_get(root, "without_task"));
+              exam_matrix_unpack(exam, json_object_get(root, "without_task")) &&
+              exam_hidden_unpack(exam, json_object_get(root, "hidden"));
     for (int c = 0; ok && c < rubric->check_count; c++)
         ok = load_check(exam, c, json_array_get(checks, (size_t)c));
     if (ok)

@@ -8,17 +8,8 @@
 
 #include <stdbool.h>
 
-// Is this copy of the project without solutions?
-bool exam_file_only(void);
-
 // A seed that nobody can foresee; where there are no solutions, one of those recorded. False with a message.
 bool exam_file_draw_seed(uint64_t *seed);
-
-// Is this the name of a file that students get with the lab?
-bool exam_file_is_handed_out(const Rubric *rubric, const char *name);
-
-// The file number i as students get it, with every task to do; freed by the caller. NULL with a message.
-char *exam_file_skeleton(const Rubric *rubric, int i);
 
 // Writes the exam with all that exam_mistake and exam_partial can be asked for to folder/exam-SEED.json and
 // folder/exam-SEED-CHECK.png. False with a message.

@@ -4,6 +4,7 @@
 #include "compile/rubric_file.h"
 #include "base/places.h"
 #include "exam/exam_file.h"
+#include "exam/handed_out.h"
 
 #include <stdlib.h>
 
@@ -21,8 +22,8 @@ Exam *lab_exam_exam(LabExam *examiner, const GradeOptions *options) {
     examiner->painters.context = options->context;
     Exam *exam = calloc(1, sizeof *exam);
     INVARIANT(exam);
-    if (exam_file_only() ? exam_file_load(exam, &examiner->rubric, options->seed)
-                         : exam_create(exam, &examiner->rubric, &examiner->painters, options->seed))
+    if (handed_out_alone() ? exam_file_load(exam, &examiner->rubric, options->seed)
+                           : exam_create(exam, &examiner->rubric, &examiner->painters, options->seed))
         return examiner->exam = exam;
     free(exam);
     return NULL;

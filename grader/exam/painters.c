@@ -38,6 +38,55 @@ const Painter *painters_get(Painters *painters, Solved solved, const Change *cha
     return painters->painters[painters->count++] = painter;
 }
 
+// Each file with such a part is one edit: from its whole text to its whole new text.
+static bool fill_reset(Reset *reset, const Parts *parts) {
+    static Functions ours;
+    const int files[2] = {parts->list[reset->p].file, reset->q >= 0 ? parts->list[reset->q].file : -1};
+    for (int i = 0; i < 2 && files[i] >= 0 && (i == 0 || files[1] != files[0]); i++) {
+        Edit *edit = &reset->change.edits[reset->change.edit_count++];
+        char *text = lab_folder_source(parts->rubric, files[i], (Solved){SOLVED_ALL, NULL});
+        edit->file = parts->rubric->files[files[i]];
+        edit->find = text;
+        if (!text)
+            return false;
+        functions_split(&ours, text);
+        edit->replace = parts_reset(parts, files[i], &ours, reset->p, reset->q);
+        if (!edit->replace)
+            return check_fail("there is no memory for %s", edit->file);
+    }
+    return true;
+}
+
+static void free_reset(Reset *reset) {
+    for (int e = 0; e < reset->change.edit_count; e++) {
+        free((char *)reset->change.edits[e].find);
+        free((char *)reset->change.edits[e].replace);
+    }
+    free(reset);
+}
+
+const Painter *painters_reset(Painters *painters, const Parts *parts, int p, int q) {
+    const Solved all = {SOLVED_ALL, NULL};
+    for (int i = 0; i < painters->reset_count; i++)
+        if (painters->resets[i]->p == p && painters->resets[i]->q == q)
+            return painters_get(painters, all, &painters->resets[i]->change);
+    if (painters->reset_count == EXAM_MAX_RESETS) {
+        check_fail("there are more than %d versions of our lab", EXAM_MAX_RESETS);
+        return NULL;
+    }
+    Reset *reset = calloc(1, sizeof *reset);
+    INVARIANT(reset);
+    reset->p = p;
+    reset->q = q;
+    reset->change.name = "a part as it was handed out";
+    if (!fill_reset(reset, parts)) {
+        free_reset(reset);
+        return NULL;
+    }
+    painters->resets[painters->reset_count++] = reset;
+    return painters_get(painters, all, &reset->change);
+}
+
 bool painters_draw(Painters *painters, const Painter *painter, const Request *request, Image *image,
                    Reply *reply) {
     static Request named;
@@ -70,5 +119,7 @@ void painters_destroy(Painters *painters) {
     worker_client_stop(&painters->client);
     for (int i = 0; i < painters->count; i++)
         free(painters->painters[i]);
-    painters->count = 0;
+    for (int i = 0; i < painters->reset_count; i++)
+        free_reset(painters->resets[i]);
+    painters->count = painters->reset_count = 0;
 }

@@ -7,7 +7,7 @@
 
 #include "base/limits.h"
 #include "exam/worker_client.h"
-#include "compile/rubric.h"
+#include "compile/parts.h"
 
 #include <stdbool.h>
 
@@ -17,6 +17,12 @@ typedef struct Painter {
     char folder[FILES_PATH];
 } Painter;
 
+// Our lab with the parts p and q (-1: none) as they were handed out, as a change of the solution.
+typedef struct Reset {
+    int p, q;
+    Change change; // its texts are owned
+} Reset;
+
 typedef struct Painters {
     const Rubric *rubric;
     ContextKind context;
@@ -25,11 +31,17 @@ typedef struct Painters {
     WorkerClient client; // the worker
     Painter *painters[EXAM_MAX_PAINTERS];
     int count;
+    Reset *resets[EXAM_MAX_RESETS]; // made when first asked for; owned
+    int reset_count;
 } Painters;
 
 // The lab with these tasks solved and this change, ready to draw. NULL with a message when it cannot be
 // built.
 const Painter *painters_get(Painters *painters, Solved solved, const Change *change);
+
+// The solution with the parts p and q (-1: none) as they were handed out. NULL with a message when it cannot
+// be built.
+const Painter *painters_reset(Painters *painters, const Parts *parts, int p, int q);
 
 // Draws with one of ours. False with a message when the worker is lost: a fault of ours. A lab that says why
 // it drew nothing counts as black.

@@ -7,43 +7,14 @@
 #include "scene/check.h"
 #include "base/statistics.h"
 #include "diagnose/diagnose.h"
-#include "exam/exam_file.h"
 #include "diagnose/evidence.h"
 #include "grade/score_check.h"
 #include "grade/take_submission.h"
+#include "grade/verdict.h"
 #include "score/score.h"
 
 #include <stdio.h>
 #include <string.h>
-
-void grade_warn(LabResult *result, const char *text) {
-    char clean[RESULT_TEXT];
-    result_clean(clean, sizeof clean, text);
-    if (clean[0] && !strstr(result->warnings, clean))
-        check_append(result->warnings, sizeof result->warnings, "%s%s", result->warnings[0] ? "\n" : "",
-                     clean);
-}
-
-void grade_begin(LabResult *result, const Rubric *rubric) {
-    memset(result, 0, sizeof *result);
-    memcpy(result->id, rubric->id, sizeof result->id);
-    snprintf(result->name, sizeof result->name, "%s", rubric->title);
-    result->max_score = rubric_points(rubric);
-    result->check_count = rubric->check_count;
-    for (int c = 0; c < rubric->check_count; c++)
-        result->checks[c] = (CheckResult){.check = &rubric->checks[c], .error = 1};
-}
-
-static void fail_lab(LabResult *result, LabStatus status, const char *message) {
-    if (result->message[0])
-        return;
-    result->status = status;
-    result_clean(result->message, sizeof result->message, message);
-}
-
-void grade_refuse(LabResult *result, const char *reason) {
-    fail_lab(result, LAB_ERROR, reason);
-}
 
 typedef struct Ratios {
     double values[RUBRIC_MAX_CHECKS];
@@ -79,7 +50,7 @@ static DrawResult draw_one(LabResult *result, WorkerClient *student, const Varia
         return DRAW_OK;
     }
     image_destroy(yours);
-    fail_lab(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply->message);
+    grade_fail(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply->message);
     return drawn;
 }
 
@@ -208,7 +179,7 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     address_explain(result, student, exam->rubric);
     if (options->early && !result_done(result))
         options->early(result, options->early_context);
-    return diagnose(result, exam, student, !options->no_swap) &&
+    return diagnose(result, exam, student, options->no_swap ? FAULT_BY_RESET : FAULT_BY_SWAP) &&
            (!options->evidence || evidence_attach(result, exam));
 }
 

@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "base/places.h"
 #include "intake/submission.h"
+#include "grade/verdict.h"
 
 #include <stdio.h>
 #include <stdlib.h>

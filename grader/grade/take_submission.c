@@ -4,9 +4,9 @@
 #include "base/find_file.h"
 #include "compile/lab_folder.h"
 #include "compile/todo.h"
-#include "exam/exam_file.h"
+#include "exam/handed_out.h"
 #include "grade/control.h"
-#include "grade/grade_lab.h"
+#include "grade/verdict.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -37,7 +37,7 @@ static void note_ignored(const char *name, void *context) {
     Ignored *ignored = context;
     if (is_taken(ignored, name) || name[0] == '.')
         return;
-    if (exam_file_is_handed_out(ignored->rubric, name) || ++ignored->count > 8)
+    if (handed_out_has(ignored->rubric, name) || ++ignored->count > 8)
         return;
     char text[400];
     snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
@@ -56,7 +56,7 @@ static void note_begun(LabResult *result, const Rubric *rubric, const char *fold
 static bool compile(bool *ok, WorkerClient *student, const Rubric *rubric, const char *submission,
                     char log[COMPILE_LOG]) {
     *ok = lab_folder_submission(student->folder, rubric, submission, student->jail, log);
-    if (*ok || exam_file_only())
+    if (*ok || handed_out_alone())
         return true;
     check_clear();
     if (!control_compiles(rubric, student->jail))

@@ -6,6 +6,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
+#include "protocol/description.h"
 #include "protocol/request_options.h"
 
 #include <errno.h>
@@ -21,6 +22,7 @@ typedef struct FrameCommand {
     uint64_t seed;
     Request request;
     ContextKind context;
+    bool misfit; // a knob of the command line is none of the lab's, or out of its range
 } FrameCommand;
 
 static bool take_skeleton(void *target, const char *none) {
@@ -52,7 +54,8 @@ static const Option options[] = {
     {"view", 0, "V", "picture (default), visibility or a stage of the lab", AT(request), request_take_view},
     {"seed", 0, "N", "variant of the scene (default 1)", AT(seed), option_seed},
     {"size", 0, "WxH", "default 480x360", AT(request), request_take_size},
-    {"knob", 0, "NAME=VALUE", "may be repeated", AT(request), request_take_knob},
+    {"knob", 0, "NAME=VALUE", "of the lab, within its range; may be repeated", AT(request),
+     request_take_knob},
     {"skeleton", 0, NULL, "nothing solved", AT(solved), take_skeleton},
     {"up-to", 0, "TASK", "solved up to this task", AT(solved), take_up_to},
     {"without", 0, "TASK", "all solved but this task", AT(solved), take_without},
@@ -95,6 +98,21 @@ static bool take_submission(const char *folder, const Rubric *rubric, const char
     return ok;
 }
 
+// Do the knobs fit the lab that this worker has loaded, or that lies in `folder` for a worker of several?
+static bool check_knobs(FrameCommand *command, WorkerClient *client, const char *folder) {
+    static Request request;
+    static Reply reply;
+    static Description lab;
+    if (command->request.knob_count == 0)
+        return true;
+    request = command->request;
+    snprintf(request.folder, sizeof request.folder, "%.*s", (int)sizeof request.folder - 1, folder);
+    if (worker_client_describe(client, &request, &lab, &reply) != DRAW_OK)
+        return check_fail("the lab does not tell its knobs: %s", reply.message);
+    command->misfit = !description_fits(&lab, &command->request);
+    return !command->misfit;
+}
+
 static bool write_request(const Request *request, const char *folder) {
     char path[FILES_PATH];
     files_join(path, folder, "request");
@@ -108,18 +126,25 @@ static bool write_request(const Request *request, const char *folder) {
 static bool write_job(FrameCommand *command, const Rubric *rubric) {
     char folder[FILES_PATH];
     Random random = {command->seed};
+    static WorkerClient client;
+    client = (WorkerClient){.trust = TRUST_NOBODY, .context = command->context, .seconds = 60};
+    snprintf(client.folder, sizeof client.folder, "%.4000s", command->job);
     snprintf(folder, sizeof folder, "%.4000s/", command->job);
-    return scene_make(&command->request.scene, command->scene, &random) && files_make_folder(folder) &&
-           take_submission(command->job, rubric, command->submission) &&
-           write_request(&command->request, command->job);
+    const bool ok = scene_make(&command->request.scene, command->scene, &random) &&
+                    files_make_folder(folder) && take_submission(command->job, rubric, command->submission) &&
+                    check_knobs(command, &client, command->job) &&
+                    write_request(&command->request, command->job);
+    worker_client_stop(&client);
+    return ok;
 }
 
 // Draws the student's lab with a worker of its own.
-static bool draw_submission(const FrameCommand *command, const Rubric *rubric, Image *image, Reply *reply) {
+static bool draw_submission(FrameCommand *command, const Rubric *rubric, Image *image, Reply *reply) {
     static WorkerClient client;
     client = (WorkerClient){.trust = TRUST_NOBODY, .context = command->context, .seconds = 60};
-    bool ok =
-        files_make_temporary(client.folder) && take_submission(client.folder, rubric, command->submission);
+    bool ok = files_make_temporary(client.folder) &&
+              take_submission(client.folder, rubric, command->submission) &&
+              check_knobs(command, &client, client.folder);
     const DrawResult drawn = ok ? worker_client_draw(&client, &command->request, image, reply) : DRAW_LOST;
     worker_client_stop(&client);
     files_remove(client.folder);
@@ -135,9 +160,9 @@ static bool draw(FrameCommand *command, const Rubric *rubric, const char *path) 
     bool ok = (change || !command->mistake) && scene_make(&command->request.scene, command->scene, &random);
     const Painter *painter =
         ok && !command->submission ? painters_get(&painters, command->solved, change) : NULL;
-    ok = ok && command->submission
-             ? draw_submission(command, rubric, &image, &reply)
-             : painter && painters_draw(&painters, painter, &command->request, &image, &reply);
+    ok = ok && command->submission ? draw_submission(command, rubric, &image, &reply)
+                                   : painter && check_knobs(command, &painters.client, painter->folder) &&
+                                         painters_draw(&painters, painter, &command->request, &image, &reply);
     if (ok && reply.message[0])
         fprintf(stderr, "frame: %s\n", reply.message);
     ok = ok && (reply.drawn || check_fail("nothing was drawn")) && image_write_png(&image, path);
@@ -158,5 +183,5 @@ int main(int count, char **arguments) {
     if (!ok)
         fprintf(stderr, "frame: %s\n", check_message());
     rubric_destroy(&rubric);
-    return ok ? 0 : found && !known ? 3 : 1;
+    return ok ? 0 : command.misfit ? 2 : found && !known ? 3 : 1;
 }

@@ -6,6 +6,7 @@
 #include "base/option_values.h"
 #include "base/places.h"
 #include "exam/exam_file.h"
+#include "exam/handed_out.h"
 #include "watch/screens.h"
 #include "watch/terminal.h"
 #include "watch/viewer.h"
@@ -122,8 +123,8 @@ static void take_verdict(Watch *watch) {
     snprintf(board->message, sizeof board->message, "Lab %s is done: %.0f of %.0f points. %s%s%s", rubric->id,
              board->verdict.score, board->verdict.max_score,
              next < 0 ? "All labs are done!" : "Here is the next one; l leads back.",
-             exam_file_only() ? "" : " Our solution, to compare: solutions/",
-             exam_file_only() ? "" : strrchr(rubric->folder, '/') + 1);
+             handed_out_alone() ? "" : " Our solution, to compare: solutions/",
+             handed_out_alone() ? "" : strrchr(rubric->folder, '/') + 1);
     if (next >= 0)
         turn_to(watch, next);
 }

@@ -4,6 +4,7 @@
 
 #include "diagnose/diagnose.h"
 #include "grade/grade_lab.h"
+#include "grade/verdict.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -126,9 +127,9 @@ static void draw_row(LabResult *result, ProofRow *row, const Painter *painter, E
 // part with the fault can tell.
 static bool name_causes(LabResult *result, ProofRow *row, Exam *exam) {
     ProofRow unnamed = *row;
-    return diagnose(result, exam, &row->contender, false) &&
+    return diagnose(result, exam, &row->contender, FAULT_BY_PICTURES) &&
            (row->kind != KIND_MISTAKE || named_right(result, &unnamed) ||
-            diagnose(result, exam, &row->contender, true));
+            diagnose(result, exam, &row->contender, FAULT_BY_SWAP));
 }
 
 // What the tasks up to the row's have earned, in percent: a check of a later task may be like ours by chance.

@@ -1,6 +1,9 @@
 #include "protocol/description.h"
 
+#include "scene/check.h"
+
 #include <math.h>
+#include <string.h>
 
 void description_clean_text(char *text, size_t size) {
     text[size - 1] = '\0';
@@ -35,4 +38,28 @@ void description_clean(Description *description) {
     *knobs = *knobs < 0 ? 0 : *knobs > LAB_MAX_KNOBS ? LAB_MAX_KNOBS : *knobs;
     for (int i = 0; i < *knobs; i++)
         clean_knob(&description->knobs[i]);
+}
+
+static bool fits_knob(const Description *lab, const KnobSetting *setting) {
+    char known[LAB_MAX_KNOBS * (LAB_MAX_NAME + 4)] = "";
+    for (int i = 0; i < lab->knob_count; i++) {
+        const struct KnobText *knob = &lab->knobs[i];
+        const bool fits = setting->value >= knob->low && setting->value <= knob->high,
+                   whole = knob->choice_count == 0 || setting->value == floorf(setting->value);
+        if (strcmp(knob->name, setting->name) == 0)
+            return (fits && whole) ||
+                   check_fail("the knob \"%s\" takes %s from %g to %g, not %g", knob->name,
+                              knob->choice_count > 0 ? "a whole number" : "a number", (double)knob->low,
+                              (double)knob->high, (double)setting->value);
+        check_append(known, sizeof known, "%s\"%s\"", i ? ", " : "", knob->name);
+    }
+    return check_fail("the lab has no knob \"%s\"; its knobs are %s", setting->name,
+                      lab->knob_count > 0 ? known : "none");
+}
+
+bool description_fits(const Description *description, const Request *request) {
+    for (int i = 0; i < request->knob_count; i++)
+        if (!fits_knob(description, &request->knobs[i]))
+            return false;
+    return true;
 }

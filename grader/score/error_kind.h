@@ -20,3 +20,7 @@ const char *error_kind(char *text, size_t size, const Image *yours, const Image 
 
 // Has the picture only one colour? Then nothing was drawn, and it resembles too much to blame one mistake.
 bool error_kind_is_plain(const Image *image);
+
+// Are the edges of the reference's shadow, where the picture without the shadow has none, lost in `yours`? So
+// it is where all is lit, or all dark: many causes draw that. False where the reference has no such edges.
+bool error_kind_lost_edges(const Image *yours, const Image *reference, const Image *without);

@@ -8,7 +8,8 @@
 enum { PROBE_SAMPLES = 256 }; // for a lamp with an extent; others need none
 
 bool probe_begin(Probe *probe, LabSet *labs, const char *lab, const Scene *scene, int width, int height) {
-    const TruthQuery query = {.kind = TRUTH_LIGHT, .samples = PROBE_SAMPLES, .seed = 1};
+    TruthKind kind = scene->medium.scattering > 0 ? TRUTH_DUST : TRUTH_LIGHT;
+    const TruthQuery query = {.kind = kind, .samples = PROBE_SAMPLES, .seed = 1};
     *probe = (Probe){.labs = labs, .lab = lab};
     probe->setting = (Setting){.view = VIEW_VISIBILITY, .object = TRUTH_NONE};
     LabArtist *artist = lab_set_artist(labs, lab, NULL);

@@ -1,4 +1,5 @@
-// One scene that a lab draws again and again, each time held against the scene's truth under its light 0.
+// One scene that a lab draws again and again, each time held against the scene's truth under its light 0:
+// what is lit, or with dust in the air what it sends to the eye.
 #pragma once
 
 #include "stability/lab_set.h"

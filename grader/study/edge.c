@@ -9,39 +9,76 @@
 #include <math.h>
 #include <stdlib.h>
 
-// The part of the line in the square of four pixels; bit i of `lit`: the i-th of them, row by row, is lit.
-static double piece(unsigned lit) {
-    static const double diagonal = 0.70710678118654752;
-    switch (lit) {
-    case 0:
-    case 15:
-        return 0;
-    case 3:
-    case 12:
-    case 5:
-    case 10:
-        return 1;
-    case 6:
-    case 9:
-        return 2 * diagonal;
-    default:
-        return diagonal;
+// A picture of the truth: which object a pixel shows, and how much of it is lit.
+typedef struct Field {
+    MetricsSize size;
+    const int32_t *traced;
+    const float *truth;
+} Field;
+
+static bool same_object(const Field *field, ptrdiff_t a, ptrdiff_t b) {
+    return metrics_object(field->traced[a]) == metrics_object(field->traced[b]);
+}
+
+// A pixel's truth, smoothed over its neighbours of the same object by a tent of 3 x 3: then linear
+// interpolation between pixels meets a straight edge at every angle.
+static double smooth(const Field *field, int x, int y) {
+    const ptrdiff_t middle = (ptrdiff_t)y * field->size.width + x;
+    double sum = 0, weights = 0;
+    for (int dy = -1; dy <= 1; dy++)
+        for (int dx = -1; dx <= 1; dx++) {
+            const ptrdiff_t at = middle + (ptrdiff_t)dy * field->size.width + dx;
+            const bool inside =
+                x + dx >= 0 && x + dx < field->size.width && y + dy >= 0 && y + dy < field->size.height;
+            if (!inside || !same_object(field, at, middle))
+                continue;
+            const double weight = (2 - abs(dx)) * (2 - abs(dy));
+            sum += weight * (double)field->truth[at];
+            weights += weight;
+        }
+    return sum / weights;
+}
+
+// The part of the line in a square of four pixels, whose values go round it.
+static double piece(const double values[4]) {
+    static const double corners[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    double ends[4][2];
+    int count = 0;
+    for (int i = 0; i < 4; i++) {
+        const int j = (i + 1) % 4;
+        if ((values[i] >= 0.5) == (values[j] >= 0.5))
+            continue;
+        const double way = (0.5 - values[i]) / (values[j] - values[i]);
+        for (int axis = 0; axis < 2; axis++)
+            ends[count][axis] = corners[i][axis] + way * (corners[j][axis] - corners[i][axis]);
+        count++;
     }
+    double length = 0;
+    for (int i = 0; i < count; i += 2)
+        length += hypot(ends[i][0] - ends[i + 1][0], ends[i][1] - ends[i + 1][1]);
+    return length;
 }
 
 double edge_length(MetricsSize size, const int32_t *traced, const uint8_t *mask, const float *truth) {
+    static const int around[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    const Field field = {size, traced, truth};
     double length = 0;
     for (int y = 0; y + 1 < size.height; y++)
         for (int x = 0; x + 1 < size.width; x++) {
-            ptrdiff_t first = (ptrdiff_t)y * size.width + x;
-            unsigned lit = 0;
+            const ptrdiff_t first = (ptrdiff_t)y * size.width + x;
+            double values[4], sum = 0;
             bool counts = true;
-            for (int i = 0; i < 4; i++) {
-                ptrdiff_t at = first + i % 2 + (ptrdiff_t)(i / 2) * size.width;
-                lit |= (truth[at] >= 0.5f ? 1U : 0U) << i;
-                counts = counts && mask[at] && metrics_object(traced[at]) == metrics_object(traced[first]);
+            for (int i = 0; counts && i < 4; i++) {
+                const ptrdiff_t at = first + around[i][0] + (ptrdiff_t)around[i][1] * size.width;
+                counts = mask[at] && same_object(&field, at, first);
+                sum += (double)truth[at];
             }
-            length += counts ? piece(lit) : 0;
+            if (!counts || sum <= 0 ||
+                sum >= 4) // four that agree stay on their side, however they are smoothed
+                continue;
+            for (int i = 0; i < 4; i++)
+                values[i] = smooth(&field, x + around[i][0], y + around[i][1]);
+            length += piece(values);
         }
     return length;
 }

@@ -5,8 +5,9 @@
 #include "study/truth_view.h"
 
 // Length in pixels of the line at which the true visibility crosses 1/2, inside one object and where the mask
-// is 1 on all sides: marching squares through the midpoints between pixels (Lorensen, Cline: Marching Cubes,
-// SIGGRAPH 1987). Exact along rows, columns and diagonals, else up to 8 % too long.
+// is 1 on all sides: marching squares with linear interpolation (Lorensen, Cline: Marching Cubes, SIGGRAPH
+// 1987) through the smoothed truth. Of a truth of whole pixels, straight edges are right to 0.1 % at every
+// angle; of one sample a pixel, up to 2 % too long.
 double edge_length(MetricsSize size, const int32_t *traced, const uint8_t *mask, const float *truth);
 
 // Mean distance in pixels by which the edge is off: the wrong area in the edge zone per length of the edge. 0

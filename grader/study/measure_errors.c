@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-enum { VERSION = 3 }; // of what is measured
+enum { VERSION = 4 }; // of what is measured
 
 // What is measured, as a number: the same only for the same frame of the same scene by the same code.
 static uint64_t make_key(const StudyPlan *plan, uint64_t hash, const TruthView *truth_view,

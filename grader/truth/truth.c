@@ -70,7 +70,7 @@ static bool build_tree(Truth *truth) {
 bool truth_create(Truth *truth, const Scene *scene) {
     INVARIANT(scene->object_count >= 0 && scene->object_count <= SCENE_MAX_OBJECTS);
     *truth = (Truth){.scene = *scene};
-    bool ok = true;
+    bool ok = scene_check(scene);
     for (int shape = 0; ok && shape < SHAPE_COUNT; shape++)
         ok = mesh_create(&truth->meshes[shape], (Shape)shape);
     if (ok && build_tree(truth))

@@ -76,7 +76,8 @@ typedef struct TruthQuery {
     bool one_by_one; // the same rays one at a time, for comparison
 } TruthQuery;
 
-// Takes the meshes of common/scene/mesh.h, placed in the world. False with a message.
+// Takes the meshes of common/scene/mesh.h, placed in the world. False with a message, also for objects that
+// no lab can draw (scene_check).
 bool truth_create(Truth *truth, const Scene *scene);
 void truth_destroy(Truth *truth); // accepts a zeroed truth
 

@@ -1,7 +1,7 @@
 // Writes a lab's screen, the list of labs, and the line of keys at the bottom.
 #include "watch/screens.h"
 
-#include "exam/exam_file.h"
+#include "exam/handed_out.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -125,8 +125,8 @@ void screens_lab(Sheet *sheet, const LabBoard *board, bool busy) {
         show_focus(sheet, board);
     if (board->verdict.done)
         sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on%s%s",
-                   exam_file_only() ? "." : "; our solution, to compare: solutions/",
-                   exam_file_only() ? "" : strrchr(board->rubrics[board->current].folder, '/') + 1);
+                   handed_out_alone() ? "." : "; our solution, to compare: solutions/",
+                   handed_out_alone() ? "" : strrchr(board->rubrics[board->current].folder, '/') + 1);
 }
 
 static void show_row(Sheet *sheet, const LabBoard *board, int lab, bool marked) {

@@ -17,6 +17,8 @@ uniform float u_texel_size;    // of the map, world units where the light's clip
 // The values of u_method, as in lab.c.
 const int CONSTANT = 1, SLOPE = 2, NORMAL_OFFSET = 5;
 const int NONE = 0, POLYGON_OFFSET = 3, FRONT_FACES = 4; // of these the shader has nothing to do
+// Where light falls along the normal there is no slope to offset, and rounding alone decides: a little more.
+const float ROUNDING = 1e-6; // depth
 
 out vec4 o_color;
 
@@ -31,7 +33,7 @@ float depth_bias(vec3 normal_world, vec3 to_light_world) {
         // u_bias. Look up: dot, max.
         return 0.0;
     }
-    return 0.0;
+    return u_method == NORMAL_OFFSET ? ROUNDING : 0.0;
 }
 
 // The point that is looked up in the map for a point of a surface. Both directions are unit vectors.

@@ -36,7 +36,7 @@ float transmittance(float way) {
 float gathered(float way) {
 #ifdef SOLUTION // 13.7
     float depth = u_extinction * way;
-    return depth < 1e-3 ? way * (1.0 - 0.5 * depth) : (1.0 - exp(-depth)) / u_extinction;
+    return depth < 1e-3 ? way : (1.0 - exp(-depth)) / u_extinction;
 #else
     // TODO(13.7): the integral of transmittance. Where the extinction is 0, or nearly, that is the way
     // itself.

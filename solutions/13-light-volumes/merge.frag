@@ -37,7 +37,7 @@ float dark(float from, float to) {
                 next = shadow;
         }
         sum += part(next, from, to);
-        from = max(from, next.y);
+        from = next.y;
     }
 #else
     // TODO(13.10): where two shadows overlap it is dark once. Of the shadows that end after `from` take the

@@ -63,6 +63,12 @@ static void make_thin(Scene *scene, Random *random) {
     scene->medium = (Medium){.scattering = random_range(random, 0.03f, 0.05f)};
 }
 
+// In floats 1 - e^(-a d) is not a number to divide by a any more.
+static void make_faint(Scene *scene, Random *random) {
+    make_thin(scene, random);
+    scene->medium.extinction = random_range(random, 3e-8f, 6e-8f);
+}
+
 // Boxes and spheres that float in a row from left to right, as the camera sees it.
 static void float_casters(Scene *scene, Random *random, int count, float lowest, float highest) {
     for (int i = 0; i < count; i++) {
@@ -175,6 +181,35 @@ static void make_overlap(Scene *scene, Random *random) {
     }
 }
 
+// A spot light in the picture that shines to the left or right: two casters in a line with it, a larger one
+// in its plane, so that this shadow lies partly behind the light, and one behind it.
+static void shine_across(Scene *scene, Random *random, float side) {
+    vec3s lamp = vec3_make(-side * random_range(random, 0.3f, 0.8f), random_range(random, 1.7f, 2.1f), 0);
+    vec3s aim = glms_vec3_add(lamp, vec3_make(3 * side, random_range(random, -0.8f, 0), 0));
+    for (int i = 0; i < 4; i++) {
+        float r = random_range(random, 0.3f, 0.45f) + (i == 2 ? 0.2f : 0);
+        vec3s center = lamp;
+        center.x += side * (i < 2 ? 1 + (float)i : i == 2 ? 0 : -1.2f);
+        center.y += i == 2 ? random_range(random, -0.9f, -0.7f) : random_range(random, -0.2f, 0.1f);
+        center.z += i == 2 ? random_range(random, 0.5f, 0.8f) : random_range(random, -0.2f, 0.2f);
+        part_object(scene, i % 2 ? SHAPE_SPHERE : SHAPE_BOX, center, vec3_make(r, r, r),
+                    random_range(random, 0, 90), part_color(random));
+    }
+    Light *light = part_light(scene, LIGHT_SPOT, lamp, aim);
+    light->near_plane = 0.3f;
+    light->color = warm();
+}
+
+static void make_before(Scene *scene, Random *random) {
+    begin(scene, random);
+    shine_across(scene, random, scene->camera.eye.x > 0 ? 1 : -1);
+}
+
+static void make_behind(Scene *scene, Random *random) {
+    begin(scene, random);
+    shine_across(scene, random, scene->camera.eye.x > 0 ? -1 : 1);
+}
+
 // A gate of posts with the sun low behind it.
 static void make_gate(Scene *scene, Random *random) {
     begin(scene, random);
@@ -194,15 +229,11 @@ static void make_gate(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"dust bare", make_bare},
-    {"dust thin", make_thin},
-    {"dust casters", make_casters},
-    {"dust beyond", make_beyond},
-    {"dust one", make_one},
-    {"dust inside", make_inside},
-    {"dust cut", make_cut},
-    {"dust apart", make_apart},
-    {"dust overlap", make_overlap},
-    {"dust gate", make_gate},
-    {0},
+    {"dust bare", make_bare},       {"dust thin", make_thin},
+    {"dust casters", make_casters}, {"dust beyond", make_beyond},
+    {"dust one", make_one},         {"dust inside", make_inside},
+    {"dust cut", make_cut},         {"dust apart", make_apart},
+    {"dust overlap", make_overlap}, {"dust gate", make_gate},
+    {"dust faint", make_faint},     {"dust before", make_before},
+    {"dust behind", make_behind},   {0},
 };

@@ -1,10 +1,13 @@
 // The description of a lab that an untrusted worker sends.
 #include "protocol/description.h"
 
+#include "scene/check.h"
+
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -37,7 +40,32 @@ static void test_description(void **unused) {
     assert_true(bad.knobs[2].value == 0 && bad.knobs[3].value == 1);
 }
 
+static bool fits(const char *name, float value) {
+    static Description lab;
+    Request request = {.knob_count = 1, .knobs = {{.value = value}}};
+    lab = (Description){.knob_count = 2,
+                        .knobs = {{.name = "size", .low = 64, .high = 4096},
+                                  {.name = "method", .low = 0, .high = 5, .choice_count = 6}}};
+    snprintf(request.knobs[0].name, sizeof request.knobs[0].name, "%s", name);
+    check_clear();
+    return description_fits(&lab, &request);
+}
+
+static void test_fits(void **unused) {
+    (void)unused;
+    assert_true(fits("size", 64) && fits("size", 4096) && fits("size", 100.5f) && fits("method", 5));
+    assert_false(fits("size", 63.9f));
+    assert_non_null(strstr(check_message(), "\"size\" takes a number from 64 to 4096, not 63.9"));
+    assert_false(fits("size", 4097));
+    assert_false(fits("size", NAN));
+    assert_false(fits("method", 1.5f));
+    assert_non_null(strstr(check_message(), "a whole number from 0 to 5"));
+    assert_false(fits("siz", 64));
+    assert_non_null(strstr(check_message(), "no knob \"siz\"; its knobs are \"size\", \"method\""));
+    check_clear();
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_description)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_description), cmocka_unit_test(test_fits)};
     return cmocka_run_group_tests_name("description", tests, NULL, NULL);
 }

@@ -3,6 +3,7 @@
 #include "compile/compiler.h"
 #include "base/files.h"
 #include "base/process.h"
+#include "scene/count.h"
 #include "scene/random.h"
 #include "scene/scene.h"
 #include "scene/shader_source.h"
@@ -177,11 +178,36 @@ static void test_precompiled(void **unused) {
     files_remove(folder);
 }
 
+// Mirrored and flat objects are refused by name; a thin one, and one that is turned, are not.
+static void test_scene_check(void **unused) {
+    (void)unused;
+    static const vec3s wrong[] = {{{-1, 1, 1}},
+                                  {{-1, -1, -1}},
+                                  {{0, 1, 1}},
+                                  {{1, 1, NAN}},
+                                  {{1, INFINITY, 1}}},
+                       right[] = {{{-1, 1, -1}}, {{1, 1e-5f, 1}}, {{1000, 1, 0.001f}}};
+    Scene scene = {.object_count = 2};
+    scene.objects[0].world_from_object = glms_mat4_identity();
+    for (unsigned i = 0; i < COUNT(wrong); i++) {
+        scene.objects[1].world_from_object = glms_scale_make(wrong[i]);
+        check_clear();
+        assert_false(scene_check(&scene));
+        assert_non_null(strstr(check_message(), i < 2 ? "object 1 is mirrored" : "object 1 is flat"));
+    }
+    check_clear();
+    for (unsigned i = 0; i < COUNT(right); i++) {
+        scene.objects[1].world_from_object = glms_scale_make(right[i]);
+        assert_true(scene_check(&scene));
+    }
+}
+
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_precompiled), cmocka_unit_test(test_random),
-                                       cmocka_unit_test(test_meshes),      cmocka_unit_test(test_scenes),
-                                       cmocka_unit_test(test_processes),   cmocka_unit_test(test_memory),
-                                       cmocka_unit_test(test_shader_files)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_scene_check), cmocka_unit_test(test_precompiled),
+        cmocka_unit_test(test_random),      cmocka_unit_test(test_meshes),
+        cmocka_unit_test(test_scenes),      cmocka_unit_test(test_processes),
+        cmocka_unit_test(test_memory),      cmocka_unit_test(test_shader_files)};
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }

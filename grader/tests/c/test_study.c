@@ -72,20 +72,50 @@ static Picture make_picture(int u, int v, int off) {
     return picture;
 }
 
-// A vertical edge through 20 rows runs over 19 squares between pixels. Along x + y = 10 there are 10 squares
-// with one pixel lit (corner x + y = 8, but 9 of them) and 10 with three, each with a diagonal.
+// A vertical edge through 20 rows runs over 19 squares between pixels.
 static void test_edge_length(void **unused) {
     (void)unused;
     const MetricsSize size = {SIDE, SIDE};
-    Picture upright = make_picture(1, 0, 0), diagonal = make_picture(1, 1, 0);
-    assert_true(edge_length(size, upright.traced, upright.mask, upright.truth) == 19);
-    double length = edge_length(size, diagonal.traced, diagonal.mask, diagonal.truth);
-    assert_true(fabs(length - 19 / sqrt(2)) < 1e-9);
+    Picture upright = make_picture(1, 0, 0);
+    assert_true(fabs(edge_length(size, upright.traced, upright.mask, upright.truth) - 19) < 1e-9);
     upright.mask[5 * SIDE + 9] = 0; // two squares touch it
-    assert_true(edge_length(size, upright.traced, upright.mask, upright.truth) == 17);
+    assert_true(fabs(edge_length(size, upright.traced, upright.mask, upright.truth) - 17) < 1e-9);
     for (int i = 0; i < SIDE * SIDE; i++)
         upright.traced[i] = metrics_primitive(i % SIDE >= 10, 0); // the edge is where one object ends
     assert_true(edge_length(size, upright.traced, upright.mask, upright.truth) == 0);
+}
+
+enum { WIDE = 120, BORDER = 10, PARTS = 8 };
+
+// The share of a pixel on one side of the line n . p = d, of 8 x 8 places.
+static float covered(const double n[2], double d, int x, int y) {
+    int lit = 0;
+    for (int i = 0; i < PARTS * PARTS; i++)
+        lit +=
+            n[0] * (x + (i % PARTS + 0.5) / PARTS) + n[1] * (y + ((i - i % PARTS) / PARTS + 0.5) / PARTS) >=
+            d;
+    return (float)lit / (PARTS * PARTS);
+}
+
+// Straight edges at all angles, through the middle of a picture of which the inner part counts: at the angle
+// t the line's part in a square of side s is s / max(|cos t|, |sin t|).
+static void test_edge_angles(void **unused) {
+    (void)unused;
+    static int32_t traced[WIDE * WIDE];
+    static uint8_t mask[WIDE * WIDE];
+    static float truth[WIDE * WIDE];
+    for (int degrees = 0; degrees < 180; degrees++) {
+        const double t = degrees * GLM_PI / 180, n[2] = {cos(t), sin(t)}, d = WIDE / 2.0 * (n[0] + n[1]);
+        for (int i = 0; i < WIDE * WIDE; i++) {
+            const int x = i % WIDE, y = i / WIDE;
+            mask[i] = x >= BORDER && x < WIDE - BORDER && y >= BORDER && y < WIDE - BORDER;
+            truth[i] = covered(n, d, x, y);
+        }
+        const double exact = (WIDE - 2 * BORDER - 1) / fmax(fabs(n[0]), fabs(n[1])),
+                     length = edge_length((MetricsSize){WIDE, WIDE}, traced, mask, truth);
+        if (fabs(length / exact - 1) > 0.005)
+            fail_msg("at %d degrees %.3f pixels, not %.3f", degrees, length, exact);
+    }
 }
 
 // A method whose edge lies two pixels off: 2 x 20 wrong pixels along a length of 19.
@@ -291,9 +321,10 @@ static void test_compare(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_median),      cmocka_unit_test(test_front),
-                                       cmocka_unit_test(test_edge_length), cmocka_unit_test(test_edge_error),
-                                       cmocka_unit_test(test_map_side),    cmocka_unit_test(test_fragments),
-                                       cmocka_unit_test(test_state),       cmocka_unit_test(test_need),
-                                       cmocka_unit_test(test_sure_need),   cmocka_unit_test(test_compare)};
+                                       cmocka_unit_test(test_edge_length), cmocka_unit_test(test_edge_angles),
+                                       cmocka_unit_test(test_edge_error),  cmocka_unit_test(test_map_side),
+                                       cmocka_unit_test(test_fragments),   cmocka_unit_test(test_state),
+                                       cmocka_unit_test(test_need),        cmocka_unit_test(test_sure_need),
+                                       cmocka_unit_test(test_compare)};
     return cmocka_run_group_tests_name("study", tests, NULL, NULL);
 }

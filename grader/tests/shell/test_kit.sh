@@ -36,7 +36,8 @@ sed -i 's/? 0.0 : 1.0/? 1.0 : 0.0/' "$mistaken/03-shadow-map/shadow.frag"
 # The points, check by check. What is told of a fault differs: the kit has no function of ours to try in place of theirs.
 points() {
     python3 -c 'import json, sys
-lab = json.load(sys.stdin)["labs"][0]
+text = sys.stdin.read()
+lab = json.loads(text[text.index("{"):])["labs"][0]
 print(lab["status"], lab["score"], *[(c["name"], c["score"], c["passed"], bool(c["cause"])) for c in lab["checks"]], sep="\n")'
 }
 right=$(solved right 03)
@@ -50,6 +51,11 @@ for submission in labs "$half" "$mistaken" "$right"; do
     grade=$root/$BUILD/grade
 done
 grade=$kit/build/grade
+# It finds the function with a fault, without our solution.
+odd=$(solved odd 03)
+sed -i 's/depth < position_map\.z/depth < position_map.z * position_map.z/' "$odd/03-shadow-map/shadow.frag"
+grades --lab 03 --seed 1 --trusted "$odd"
+expect "the kit finds the function" 1 "\`visibility\` (shadow.frag)" "as handed out, the rest draws as it should"
 grades --lab 03 --trusted "$half"
 expect "the kit chooses a recorded seed" 1 "of 100 points (seed "
 [[ $out =~ seed\ [12], && $out != *ignored* ]] && ok || bad "not a recorded seed, or handouts are ignored files" "$out"

@@ -80,6 +80,13 @@ done
 
 # Abbreviations are taken while they mean one option; of two values the last one counts; "--" ends the options.
 refuses "ambiguous" "--s: which one? --scene, --seed, --size, --skeleton, --submission" "$bin/frame" --s x
+frame=("$bin/frame" --lab 03 --scene "table spot" --size 64x48 out.png)
+refuses "a knob out of its range" 'frame: the knob "map size" takes a number from 64 to 4096, not 63' "${frame[@]}" --knob "map size=63"
+refuses "a knob of another lab" 'frame: the lab has no knob "radius"; its knobs are "map size"' "${frame[@]}" --knob radius=1
+refuses "a knob that chooses" 'frame: the knob "method" takes a whole number from 0 to 5, not 1.5' \
+    "$bin/frame" --lab 05 --scene "table spot" out.png --knob method=1.5
+refuses "a knob of a submission" 'frame: the knob "map size" takes a number from 64 to 4096, not 1e+06' "${frame[@]}" \
+    --submission "$root/labs/03-shadow-map" --knob "map size=1000000"
 refuses "an abbreviation" "--seed takes a whole number" "$bin/frame" --see x
 refuses "a wrong option before a right one" "--seed takes" "$bin/grade" --seed x --seed 1 "$root/labs"
 refuses "behind --" "--lab is not a folder" "$bin/grade" -- --lab

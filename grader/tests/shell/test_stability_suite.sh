@@ -16,8 +16,11 @@ jsonschema.validate(json.load(sys.stdin), json.load(open("grader/stability/stabi
 }
 
 # All rows, in the order of their numbers; under the sanitizers a few.
-mapfile -t rows < <(grep -hoE '^    \{[0-9A-Z_*+ ]+, "' solutions/*/rows*.c | tr -d ' {,"' |
-    while read -r number; do echo $((number)); done | sort -n)
+mapfile -t rows < <(grep -oHE '^    \{[0-9A-Z_*+ ]+, "' solutions/*/rows*.c | tr -d ' {,"' |
+    while IFS=: read -r file number; do
+        [[ $file =~ solutions/([0-9]+)- ]] && LAB_NUMBER=$((10#${BASH_REMATCH[1]}))
+        echo $((number))
+    done | sort -n)
 ((${#rows[@]} > 20)) && ok || bad "the rows are found in the sources" "${rows[*]}"
 [[ -n ${QUICK:-} ]] && rows=(2 5 17 24 30)
 mapfile -t chosen < <(printf -- '--row\n%s\n' "${rows[@]}")
@@ -62,6 +65,8 @@ faulty 2 04 "the bias is halved: it is taken in [-1, 1], not in the map's [0, 1]
 faulty 3 04 "the factor is left at 0: the offset does not depend on the slope"
 faulty 6 04 "the cosine is used where the sine belongs"
 faulty 7 04 "the bias has the wrong sign"
+faulty 41 04 "the cosine is used where the sine belongs"
+faulty 43 03 "the size of the map is fixed"
 faulty 11 03 "the test for points behind the light is inverted"
 faulty 13 03 "the size of the map is fixed"
 faulty 15 05 "the kernel is not centred on the point"

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# The part with the fault is found, in mistakes that no catalogue holds; nothing of ours comes out.
+# The part with the fault is found, in mistakes that no catalogue holds, with our solution and without; nothing of ours
+# comes out.
 set -u
 source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
@@ -26,6 +27,11 @@ found() {
     out=$(sed '1{/^grade:/d}' <<<"$out")
     said=$(summary)
     [[ $said == *"\`$5\` ($3)"*"pass"* ]] && ok || bad "$1: the fault is in $5" "$said"
+    grades --no-swap --trusted --lab "$2" --seed 1 --format json "$folder"
+    out=$(sed '1{/^grade:/d}' <<<"$out")
+    said=$(summary)
+    [[ $said == *"\`$5\` ($3)"*" as handed out, the rest draws as it should"* ]] && ok ||
+        bad "$1: without our solution the fault is in $5" "$said"
 }
 found "half the field of view" 03 lab.c 's/light->fov_y/0.5f * light->fov_y/' light_clip_from_world
 found "the depth is compared with its square" 03 shadow.frag 's/depth < position_map\.z/depth < position_map.z * position_map.z/' visibility
@@ -49,6 +55,12 @@ sed -i 's/    glEnable(GL_STENCIL_TEST);//' "$folder/lab.c"
 grades --lab 07 --seed 1 "$folder"
 expect "in the jail" 1 "\`draw_volumes\` (lab.c)"
 grades --no-swap --lab 07 --seed 1 "$folder"
-expect "--no-swap" 1 "7.6"
-[[ $out != *draw_volumes* ]] && ok || bad "--no-swap names no function" "$out"
+expect "--no-swap" 1 "\`draw_volumes\` (lab.c)" "as handed out, the rest draws as it should"
+[[ $out != *"with ours"* ]] && ok || bad "--no-swap puts nothing of ours into the submission" "$out"
+
+# Two faults in two functions that show in different checks.
+folder=$(resolve both 05)
+sed -i 's/xy + vec2(x, y) \* texel)/xy + 1.7 * vec2(x, y) * texel)/; s/f = place - corner/f = 0.5 * (place - corner)/' "$folder/shadow.frag"
+grades --no-swap --lab 05 --seed 1 --trusted "$folder"
+expect "two faults without our solution" 1 "there are faults in \`by_hand\` (shadow.frag) and in \`gather\` (shadow.frag)"
 finish
