@@ -3,6 +3,7 @@
 #include "gl.h"
 
 #include "gl_blit.h"
+#include "remark.h"
 
 #include "scene/check.h"
 
@@ -109,6 +110,7 @@ static bool mixes_depths(va_list arguments) {
 static void after_call(void *result, const char *name, GLADapiproc function, int count, ...) {
     (void)result;
     GLenum error = glad_glGetError();
+    remark_call(name);
     bool mixed_depths = false;
     if (function == (GLADapiproc)glad_glBindFramebuffer) {
         va_list arguments;

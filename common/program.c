@@ -2,6 +2,7 @@
 // uniforms by name: one that no shader mentions is a fault, one that the compiler left out is none.
 #include "program.h"
 
+#include "remark.h"
 #include "scene/check.h"
 #include "scene/shader_source.h"
 
@@ -89,15 +90,16 @@ static bool stands_in(GLuint shader, const char *name) {
     return found;
 }
 
-static void require_name(const Program *program, const char *name) {
+static bool require_name(const Program *program, const char *name) {
     GLuint shaders[3];
     GLsizei count = 0;
     glGetAttachedShaders(program->id, 3, &count, shaders);
     for (GLsizei i = 0; i < count; i++)
         if (stands_in(shaders[i], name))
-            return;
-    check_fail("the uniform %s is set but declared neither in %s nor in %s: declare it or correct its name",
-               name, program->files.vertex, program->files.fragment);
+            return true;
+    return check_fail(
+        "the uniform %s is set but declared neither in %s nor in %s: declare it or correct its name", name,
+        program->files.vertex, program->files.fragment);
 }
 
 GLint program_find(const Program *program, const char *name) {
@@ -106,8 +108,8 @@ GLint program_find(const Program *program, const char *name) {
 
 static GLint find(const Program *program, const char *name) {
     GLint location = program_find(program, name);
-    if (location < 0)
-        require_name(program, name);
+    if (location < 0 && require_name(program, name))
+        remark_idle_uniform(name);
     return location;
 }
 

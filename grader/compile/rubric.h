@@ -65,6 +65,7 @@ typedef struct Rubric {
     int mistake_count, alternative_count;
     const Change *also[RUBRIC_MAX_ALSO]; // alternatives that draw other pictures, as right as the solution's
     int also_count;
+    bool remarks; // who passes is told what could be better, without points
     Hint *hints;
     int hint_count;
     json_t *json; // where the strings live

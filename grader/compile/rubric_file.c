@@ -17,6 +17,7 @@ static const JsonField rubric_fields[] = {{"title", FIELD_NAME, FIELD_NEEDED, 1,
                                           {"pass_mark", FIELD_NUMBER, FIELD_NEEDED, 0, 100},
                                           {"files", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_FILES},
                                           {"checks", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_CHECKS},
+                                          {"remarks", FIELD_FLAG, FIELD_OPTIONAL, 0, 0},
                                           {"also right", FIELD_LIST, FIELD_OPTIONAL, 0, RUBRIC_MAX_ALSO},
                                           {0}};
 
@@ -84,6 +85,7 @@ static bool read_rubric(Rubric *rubric, const JsonPlace *file, json_t *root) {
         return false;
     rubric->title = text_of(root, "title");
     rubric->pass_mark = json_number_value(json_object_get(root, "pass_mark"));
+    rubric->remarks = json_is_true(json_object_get(root, "remarks"));
     json_array_foreach(json_object_get(root, "files"), i, entry) {
         const JsonPlace place = json_fields_enter(file, "files", i, NULL);
         if (!read_file(rubric, &place, entry))

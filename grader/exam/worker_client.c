@@ -157,7 +157,8 @@ static void clean_times(float milliseconds[LAB_MAX_PASSES]) {
 
 // All of it is the submission's to write.
 static void clean_reply(Reply *reply) {
-    reply->message[sizeof reply->message - 1] = reply->renderer[sizeof reply->renderer - 1] = '\0';
+    reply->remarks[sizeof reply->remarks - 1] = reply->message[sizeof reply->message - 1] =
+        reply->renderer[sizeof reply->renderer - 1] = '\0';
     description_clean_text(reply->pass, sizeof reply->pass);
     clean_times(reply->milliseconds);
     clean_times(reply->gpu_milliseconds);

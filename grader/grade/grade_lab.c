@@ -8,6 +8,7 @@
 #include "base/statistics.h"
 #include "diagnose/diagnose.h"
 #include "diagnose/evidence.h"
+#include "grade/remarks.h"
 #include "grade/score_check.h"
 #include "grade/take_submission.h"
 #include "grade/verdict.h"
@@ -38,11 +39,12 @@ static void note_output(LabResult *result, const char *printed) {
 
 // Draws one frame of the student's.
 static DrawResult draw_one(LabResult *result, WorkerClient *student, const Variant *variant,
-                           CheckResult *check, int n, Reply *reply) {
+                           CheckResult *check, int n, Reply *reply, Remarks *remarks) {
     Image *yours = &check->yours[n];
     DrawResult drawn = worker_client_draw(student, &variant->request, yours, reply);
     check->facts[n] = reply->facts;
     if (drawn == DRAW_OK) {
+        remarks_take(remarks, reply->remarks);
         if (reply->message[0])
             grade_warn(result, reply->message);
         if (score_not_finite(yours))
@@ -66,13 +68,13 @@ static void lose_check(CheckResult *check, DrawResult drawn, const char *how) {
 
 // Draws the frames of check c. False when no more will come: the time is over, or the worker was lost too
 // often.
-static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exam, int c,
-                       float *milliseconds) {
+static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exam, int c, float *milliseconds,
+                       Remarks *remarks) {
     static Reply reply;
     CheckResult *check = &result->checks[c];
     DrawResult drawn = DRAW_OK;
     for (int n = 0; (drawn == DRAW_OK || drawn == DRAW_FAILED) && n < check->check->variants; n++) {
-        drawn = draw_one(result, student, &exam->variants[c][n], check, n, &reply);
+        drawn = draw_one(result, student, &exam->variants[c][n], check, n, &reply, remarks);
         if (drawn == DRAW_OK)
             *milliseconds = exam_milliseconds(&reply);
     }
@@ -139,23 +141,29 @@ void grade_pictures(LabResult *result, Exam *exam) {
 
 bool grade_check(LabResult *result, Exam *exam, WorkerClient *student, int c) {
     float milliseconds;
-    draw_check(result, student, exam, c, &milliseconds);
+    Remarks remarks = {0};
+    draw_check(result, student, exam, c, &milliseconds, &remarks);
     score_check(&result->checks[c], exam, c);
     return result->checks[c].passed;
 }
 
 void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed) {
     Ratios ratios = {0};
+    Remarks remarks = {0};
+    char text[sizeof remarks.lines];
     bool alive = true;
     student->restarts = 0;
     for (int c = 0; c < result->check_count; c++) {
         float milliseconds = 0;
-        alive = alive && draw_check(result, student, exam, c, &milliseconds);
+        alive = alive && draw_check(result, student, exam, c, &milliseconds, &remarks);
         if (timed)
             add_ratio(&ratios, milliseconds, exam, c);
     }
     result->speed_ratio = ratios.count > 0 ? statistics_median(ratios.values, (size_t)ratios.count) : 0;
     grade_pictures(result, exam);
+    remarks_write(&remarks, text, sizeof text);
+    if (result->status == LAB_PASSED && exam->rubric->remarks && text[0])
+        add_warning(result, text);
 }
 
 // Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.

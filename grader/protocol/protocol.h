@@ -64,6 +64,7 @@ typedef struct Reply {
     float gpu_milliseconds[LAB_MAX_PASSES]; // the same of the GPU, where the request asked for it
     FrameFacts facts;
     char message[PROTOCOL_TEXT]; // why it was not drawn, or the first GL error or check_fail of the frame
+    char remarks[1000];          // of the frame, a line each, see remark.h
     char renderer[128];          // "GL_VERSION / GL_RENDERER (way to it)", as context_route tells it
 } Reply;
 

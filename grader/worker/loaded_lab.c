@@ -3,6 +3,7 @@
 #include "worker/loaded_lab.h"
 
 #include "base/limits.h"
+#include "remark.h"
 #include "worker/primitives_view.h"
 #include "worker/quantise.h"
 #include "scene/shader_source.h"
@@ -172,8 +173,10 @@ static float run_pass(const Pass *pass, const Frame *frame, GLuint timer) {
     set_running(pass->name);
     if (timer)
         glBeginQuery(GL_TIME_ELAPSED, timer);
+    remark_passes(true);
     if (is_seen(pass, frame->view))
         pass->draw(frame);
+    remark_passes(false);
     if (timer)
         glEndQuery(GL_TIME_ELAPSED);
     glFinish();
@@ -233,6 +236,7 @@ static bool show_view(const LoadedLab *hosted, const StageView *view, const Requ
 bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *request, Reply *reply,
                      uint8_t *pixels) {
     check_clear();
+    remark_clear();
     gl_clear_error();
     if (!hosted->ready)
         return check_fail("%s", hosted->failure);
@@ -246,6 +250,7 @@ bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *re
     if (!ensure_created(hosted, request, &frame))
         return false;
     run_passes(hosted->lab, &frame, request->gpu_times, reply);
+    snprintf(reply->remarks, sizeof reply->remarks, "%s", remark_text());
     reply->facts.refused = gl_refused();
     return show_view(hosted, view, request, &frame, &reply->facts, pixels);
 }

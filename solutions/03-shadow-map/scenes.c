@@ -25,6 +25,21 @@ static void make_table_shine(Scene *scene, Random *random) {
     scene->objects[0].shininess = random_range(random, 4, 7);
 }
 
+// The lamp hangs straight above the point that it looks at, over a floor that slopes: a level one has one
+// depth.
+static void make_table_noon(Scene *scene, Random *random) {
+    part_begin(scene, random);
+    Object *floor = part_floor(scene, 6, random);
+    float slope = random_range(random, 0.4f, 0.6f), side = random_int(random, 0, 1) ? 1 : -1;
+    floor->world_from_object = glms_mat4_mul(
+        glms_rotate_make(slope, vec3_make(side, 0, random_range(random, -1, 1))), floor->world_from_object);
+    part_casters(scene, random);
+    Light *light = part_light(scene, LIGHT_SPOT, vec3_make(0, 9, 0), vec3_make(0, 0, 0));
+    aim(light, random);
+    light->position = light->target;
+    light->position.y = random_range(random, 9, 10);
+}
+
 static void make_table_sun(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 6, random);
@@ -72,11 +87,8 @@ static void make_behind(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"table spot", make_table_spot},
-    {"table shine", make_table_shine},
-    {"table sun", make_table_sun},
-    {"wide floor", make_wide_floor},
-    {"far floor", make_far_floor},
-    {"behind", make_behind},
-    {0},
+    {"table spot", make_table_spot},   {"table noon", make_table_noon},
+    {"table shine", make_table_shine}, {"table sun", make_table_sun},
+    {"wide floor", make_wide_floor},   {"far floor", make_far_floor},
+    {"behind", make_behind},           {0},
 };

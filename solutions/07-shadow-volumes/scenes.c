@@ -16,9 +16,12 @@ static void make_volume_spot(Scene *scene, Random *random) {
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
 }
 
+// The sun's position is only a place to look from, here a near one: who takes it for a lamp's sees it.
 static void make_volume_sun(Scene *scene, Random *random) {
     make_volume_spot(scene, random);
-    scene->lights[0].kind = LIGHT_DIRECTIONAL;
+    Light *sun = &scene->lights[0];
+    sun->kind = LIGHT_DIRECTIONAL;
+    sun->position = glms_vec3_scale(sun->position, random_range(random, 0.3f, 0.4f));
 }
 
 // Casters in a row along one ray of light: their volumes lie in each other.

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# Remarks without points: who passes is told of what is set in vain and made anew in each frame; nobody else is.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+
+# Work in vain, in a lab that is right: a uniform that no shader needs, and a texture a frame.
+waste() {
+    sed -i 's/^uniform mat4 u_light_clip_from_world;/&\nuniform float u_bias_unused;/' "$1"/03-*/shadow.frag
+    sed -i 's/^    frame_bind(frame);/&\n    program_set_float(program, "u_bias_unused", 1);/' "$1"/03-*/lab.c
+    sed -i 's/^    frame_bind(frame);/&\n    GLuint spare;\n    glGenTextures(1, \&spare);\n    glDeleteTextures(1, \&spare);/' \
+        "$1"/03-*/lab.c
+}
+
+folder=$(solved plain)
+grades --trusted --lab 03 --seed 1 "$folder"
+expect "the solution passes" 0 "100.00 of 100 points"
+[[ $out != *"without points"* ]] && ok || bad "the solution gets no remark" "$out"
+
+folder=$(solved waste)
+waste "$folder"
+grades --trusted --lab 03 --seed 1 "$folder"
+expect "what is in vain is told, and costs nothing" 0 "100.00 of 100 points" \
+    "without points: the uniform u_bias_unused is set, but has no effect" \
+    "without points: each frame makes a texture anew (glGenTextures)"
+
+# Made in create, or in the first frame alone, it is no work that is repeated.
+folder=$(solved once)
+sed -i 's/^    frame_bind(frame);/&\n    static GLuint once;\n    if (!once)\n        glGenTextures(1, \&once);/' "$folder"/03-*/lab.c
+grades --trusted --lab 03 --seed 1 "$folder"
+expect "once is enough" 0 "100.00 of 100 points"
+[[ $out != *"without points"* ]] && ok || bad "what is made once gets no remark" "$out"
+
+folder=$(solved wrong)
+waste "$folder"
+sed -i 's/depth < position_map\.z/depth > position_map.z/' "$folder"/03-*/shadow.frag
+grades --trusted --lab 03 --seed 1 "$folder"
+expect "a lab that is wrong has other cares" 1 "3.5"
+[[ $out != *"without points"* ]] && ok || bad "a lab that is wrong gets no remark" "$out"
+finish
