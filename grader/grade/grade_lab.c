@@ -163,7 +163,7 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
     grade_pictures(result, exam);
     remarks_write(&remarks, text, sizeof text);
     if (result->status == LAB_PASSED && exam->rubric->remarks && text[0])
-        add_warning(result, text);
+        grade_warn(result, text);
 }
 
 // Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.
