@@ -1,8 +1,10 @@
 #include "study/verdict.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <math.h>
+#include <string.h>
 
 #define SAME_COST 1.05 // times that differ by less are the same, whatever their bars say
 #define LIMIT_VARIED 0.2
@@ -20,12 +22,31 @@ static bool is_enough_in(const SceneFindings *findings, const Finding *finding, 
     return enough;
 }
 
+// Ray tracing and the frame without shadows stand beside the methods.
+static bool stands_aside(const Method *method) {
+    return method->rays > 0 || strcmp(method->family, METHOD_BARE) == 0;
+}
+
 static bool may_be_chosen(const Finding *finding) {
-    return finding->drawn && !finding->method.submission && !finding->method.rays;
+    return finding->drawn && !finding->method.submission && !stands_aside(&finding->method);
 }
 
 static bool costs_as_little(const Point *point, const Point *cheapest) {
     return point->ms <= SAME_COST * cheapest->ms || !pareto_surely_faster(cheapest, point);
+}
+
+// Of two settings that take the same time, the one that holds less, then counts less, then errs less.
+static bool is_less(const SceneFindings *findings, int a, int b) {
+    const Cost *x = &findings->findings[a].cost, *y = &findings->findings[b].cost;
+    const double pairs[][2] = {{x->texels, y->texels},
+                               {x->rays, y->rays},
+                               {x->fragments, y->fragments},
+                               {x->taps, y->taps},
+                               {findings->points[a].error, findings->points[b].error}};
+    for (size_t i = 0; i < COUNT(pairs); i++)
+        if (pairs[i][0] != pairs[i][1])
+            return pairs[i][0] < pairs[i][1];
+    return false;
 }
 
 int findings_choose(const SceneFindings *findings, double scale, int view) {
@@ -39,7 +60,7 @@ int findings_choose(const SceneFindings *findings, double scale, int view) {
         if (may_be_chosen(&findings->findings[i]) &&
             is_enough_in(findings, &findings->findings[i], scale, view) &&
             costs_as_little(&findings->points[i], &findings->points[cheapest]) &&
-            (best < 0 || findings->points[i].error < findings->points[best].error))
+            (best < 0 || is_less(findings, i, best)))
             best = i;
     return best;
 }
@@ -50,7 +71,7 @@ void findings_judge(SceneFindings *findings) {
         Point *point = &findings->points[i];
         point->error = finding_error(&finding->errors);
         point->ms = finding->drawn ? point->ms : -1;
-        point->aside = finding->method.rays > 0;
+        point->aside = stands_aside(&finding->method);
         finding->enough_views = 0;
         for (int v = 0; v < STUDY_VIEWS; v++)
             finding->enough_views += is_enough_in(findings, finding, 1, v);
