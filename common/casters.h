@@ -4,6 +4,7 @@
 #pragma once
 
 #include "draw.h"
+#include "scene/adjacency.h"
 
 #include <stdbool.h>
 
@@ -16,12 +17,11 @@ void casters_destroy(void);
 // u_world_from_object. The vertices are those of model.h.
 void casters_draw(const Frame *frame, const Program *program);
 
-// Was GL_DEPTH_CLAMP on when they were last drawn, or their volumes?
+// A shape's mesh and its triangles with their neighbours, of all shapes, open ones too; valid until
+// casters_destroy.
+const Mesh *casters_mesh(Shape shape);
+const Adjacency *casters_adjacency(Shape shape);
+
+// Was GL_DEPTH_CLAMP on when they were last drawn, or their volumes? Who draws volumes notes it.
 bool casters_were_clamped(void);
-
-// Makes the volumes of light 0 on the CPU (silhouette.h) and draws them as GL_TRIANGLES with the program that
-// draw_begin has made ready; its vertex shader is volume.vert.
-void casters_draw_volumes(const Frame *frame);
-
-// The same for the volume of object `i` alone. False for an open shape, which has none: nothing is drawn.
-bool casters_draw_volume(const Frame *frame, int i);
+void casters_note_clamp(void);

@@ -34,7 +34,7 @@ static Chart make_chart(const mat4s *world_from_object, const Vertex *corners, f
 static bool add_charts(Atlas *atlas, const Scene *scene, int o, float texels_per_unit, int *owners) {
     Mesh mesh;
     const Object *object = &scene->objects[o];
-    if (object->shape == SHAPE_SPHERE)
+    if (object->shape != SHAPE_PLANE && object->shape != SHAPE_BOX)
         return true;
     if (!mesh_create(&mesh, (Shape)object->shape))
         return false;

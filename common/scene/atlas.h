@@ -26,7 +26,7 @@ typedef struct Atlas {
                                         // there is no chart
 } Atlas;
 
-// Gives each face of the scene's planes and boxes (not of spheres, which are not flat) a chart of so many
+// Gives each face of the scene's planes and boxes (of no other shapes) a chart of so many
 // texels per world unit, at least one, with `padding` texels on all sides. All texels are set to 1. `atlas`
 // is zeroed or was laid out before.
 bool atlas_layout(Atlas *atlas, const Scene *scene, float texels_per_unit, int padding);

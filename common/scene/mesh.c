@@ -1,10 +1,11 @@
+// Makes the meshes of the unit shapes, face by face.
 #include "scene/mesh.h"
 
 #include "scene/check.h"
 
 #include <stdlib.h>
 
-enum { SPHERE_SLICES = 32, SPHERE_STACKS = 16 };
+enum { SPHERE_SLICES = 32, SPHERE_STACKS = 16, ARCH_CORNERS = 8 };
 
 static bool reserve(Mesh *mesh, int vertices, int indices) {
     *mesh = (Mesh){.vertices = calloc((size_t)vertices, sizeof *mesh->vertices),
@@ -70,6 +71,38 @@ static void add_sphere(Mesh *mesh) {
         }
 }
 
+// Counter-clockwise seen from +z.
+static const float arch[ARCH_CORNERS][2] = {{-1, -1},   {-0.5f, -1}, {-0.5f, 0.5f}, {0.5f, 0.5f},
+                                            {0.5f, -1}, {1, -1},     {1, 1},        {-1, 1}};
+
+// The face of the arch at z = 1 or -1: both legs, and the beam in two parts.
+static void add_arch_face(Mesh *mesh, float z) {
+    static const int faces[6][3] = {{0, 1, 2}, {0, 2, 7}, {2, 3, 7}, {3, 6, 7}, {3, 4, 6}, {4, 5, 6}};
+    int first = mesh->vertex_count;
+    for (int i = 0; i < ARCH_CORNERS; i++)
+        mesh->vertices[mesh->vertex_count++] =
+            (Vertex){.position = vec3_make(arch[i][0], arch[i][1], z), .normal = vec3_make(0, 0, z)};
+    for (int i = 0; i < 6; i++)
+        add_triangle(mesh, first + faces[i][0], first + faces[i][z > 0 ? 1 : 2],
+                     first + faces[i][z > 0 ? 2 : 1]);
+}
+
+static void add_arch(Mesh *mesh) {
+    add_arch_face(mesh, 1);
+    add_arch_face(mesh, -1);
+    for (int i = 0; i < ARCH_CORNERS; i++) {
+        const float *from = arch[i], *to = arch[(i + 1) % ARCH_CORNERS];
+        vec3s center = vec3_make((from[0] + to[0]) / 2, (from[1] + to[1]) / 2, 0);
+        vec3s along = vec3_make((to[0] - from[0]) / 2, (to[1] - from[1]) / 2, 0);
+        int first = mesh->vertex_count;
+        add_square(mesh, center, along, vec3_make(0, 0, 1));
+        for (int k = 0; k < 4; k++) {
+            vec3s *normal = &mesh->vertices[first + k].normal;
+            *normal = glms_vec3_normalize(*normal);
+        }
+    }
+}
+
 bool mesh_create(Mesh *mesh, Shape shape) {
     static const struct {
         int vertices, indices;
@@ -79,6 +112,7 @@ bool mesh_create(Mesh *mesh, Shape shape) {
         [SHAPE_BOX] = {24, 36, add_box},
         [SHAPE_SPHERE] = {(SPHERE_SLICES + 1) * (SPHERE_STACKS + 1), SPHERE_SLICES * (SPHERE_STACKS - 1) * 6,
                           add_sphere},
+        [SHAPE_ARCH] = {6 * ARCH_CORNERS, 6 * ARCH_CORNERS + 36, add_arch},
     };
     INVARIANT(shape >= 0 && shape < SHAPE_COUNT);
     if (!reserve(mesh, recipes[shape].vertices, recipes[shape].indices))

@@ -11,6 +11,7 @@ typedef enum Shape {
                   // -z
     SHAPE_BOX,    // [-1, 1]^3, closed
     SHAPE_SPHERE, // radius 1, closed, 32 x 16 quads
+    SHAPE_ARCH,   // [-1, 1]^3 without the gate |x| < 1/2, y < 1/2, closed, not convex; no texture coordinates
     SHAPE_COUNT
 } Shape;
 

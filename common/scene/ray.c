@@ -22,14 +22,25 @@ static bool hits_plane(vec3s from, vec3s along, float max_distance) {
 }
 
 // Slabs: Kay, Kajiya: Ray Tracing Complex Scenes, SIGGRAPH 1986.
-static bool hits_box(vec3s from, vec3s along, float max_distance) {
+static bool hits_slabs(vec3s low, vec3s high, vec3s from, vec3s along, float max_distance) {
     float enters = -INFINITY, leaves = INFINITY;
     for (int i = 0; i < 3; i++) {
-        float a = (-1 - from.raw[i]) / along.raw[i], b = (1 - from.raw[i]) / along.raw[i];
+        float a = (low.raw[i] - from.raw[i]) / along.raw[i], b = (high.raw[i] - from.raw[i]) / along.raw[i];
         enters = fmaxf(enters, fminf(a, b));
         leaves = fminf(leaves, fmaxf(a, b));
     }
     return enters <= leaves && (within(enters, max_distance) || within(leaves, max_distance));
+}
+
+static bool hits_box(vec3s from, vec3s along, float max_distance) {
+    return hits_slabs(vec3_make(-1, -1, -1), vec3_make(1, 1, 1), from, along, max_distance);
+}
+
+// Two legs and a beam.
+static bool hits_arch(vec3s from, vec3s along, float max_distance) {
+    return hits_slabs(vec3_make(-1, -1, -1), vec3_make(-0.5f, 1, 1), from, along, max_distance) ||
+           hits_slabs(vec3_make(0.5f, -1, -1), vec3_make(1, 1, 1), from, along, max_distance) ||
+           hits_slabs(vec3_make(-1, 0.5f, -1), vec3_make(1, 1, 1), from, along, max_distance);
 }
 
 static bool hits_sphere(vec3s from, vec3s along, float max_distance) {
@@ -43,8 +54,11 @@ static bool hits_sphere(vec3s from, vec3s along, float max_distance) {
 }
 
 bool ray_hits(const Scene *scene, vec3s origin, vec3s direction, float max_distance) {
-    static bool (*const hits[SHAPE_COUNT])(vec3s from, vec3s along, float max_distance) = {
-        [SHAPE_PLANE] = hits_plane, [SHAPE_BOX] = hits_box, [SHAPE_SPHERE] = hits_sphere};
+    static bool (*const hits[SHAPE_COUNT])(vec3s from, vec3s along,
+                                           float max_distance) = {[SHAPE_PLANE] = hits_plane,
+                                                                  [SHAPE_BOX] = hits_box,
+                                                                  [SHAPE_SPHERE] = hits_sphere,
+                                                                  [SHAPE_ARCH] = hits_arch};
     for (int i = 0; i < scene->object_count; i++) {
         const Object *object = &scene->objects[i];
         const float *center = object->world_from_object.raw[3];

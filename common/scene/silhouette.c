@@ -7,10 +7,12 @@
 
 enum { MOST = 24 }; // corners that one triangle of the mesh adds: two caps and three sides
 
+// In the object's space, where numbers are small wherever the object stands. A flat face that looks to the
+// light there does so in the world.
 typedef struct Caster {
     const Mesh *mesh;
-    const Light *light;
-    mat4s world_from_object;
+    vec3s light; // where a lamp is, or the direction to a sun
+    bool parallel;
 } Caster;
 
 static bool reserve(Volume *volume) {
@@ -25,26 +27,19 @@ static bool reserve(Volume *volume) {
     return true;
 }
 
+static Caster make_caster(const Mesh *mesh, mat4s world_from_object, const Light *light) {
+    bool parallel = light->kind == LIGHT_DIRECTIONAL;
+    vec3s from = parallel ? light->target : glms_vec3(world_from_object.col[3]);
+    mat3s object_from_world = glms_mat3_inv(glms_mat4_pick3(world_from_object));
+    return (Caster){mesh, glms_mat3_mulv(object_from_world, glms_vec3_sub(light->position, from)), parallel};
+}
+
 static vec3s place(const Caster *caster, uint32_t vertex) {
-    return glms_mat4_mulv3(caster->world_from_object, caster->mesh->vertices[vertex].position, 1);
+    return caster->mesh->vertices[vertex].position;
 }
 
 static vec3s to_light(const Caster *caster, vec3s p) {
-    vec3s from = caster->light->kind == LIGHT_DIRECTIONAL ? caster->light->target : p;
-    return glms_vec3_sub(caster->light->position, from);
-}
-
-// The vertex as seen from the caster's place. Far from the world's origin this is exact to more digits.
-static vec3s place_near(const Caster *caster, uint32_t vertex) {
-    return glms_mat4_mulv3(caster->world_from_object, caster->mesh->vertices[vertex].position, 0);
-}
-
-// From such a point to the light.
-static vec3s near_to_light(const Caster *caster, vec3s p) {
-    const vec4s middle = caster->world_from_object.col[3];
-    if (caster->light->kind == LIGHT_DIRECTIONAL)
-        return glms_vec3_sub(caster->light->position, caster->light->target);
-    return glms_vec3_sub(glms_vec3_sub(caster->light->position, vec3_make(middle.x, middle.y, middle.z)), p);
+    return caster->parallel ? caster->light : glms_vec3_sub(caster->light, p);
 }
 
 // Of the triangle's corners in the order of the mesh's numbers, whoever asks: at grazing light rounding
@@ -56,9 +51,9 @@ static bool faces_light(const Caster *caster, uint32_t i, uint32_t j, uint32_t k
         j = k;
         k = first;
     }
-    vec3s a = place_near(caster, i), b = place_near(caster, j), c = place_near(caster, k);
+    vec3s a = place(caster, i), b = place(caster, j), c = place(caster, k);
     vec3s normal = glms_vec3_cross(glms_vec3_sub(b, a), glms_vec3_sub(c, a));
-    return glms_vec3_dot(normal, near_to_light(caster, a)) > 0;
+    return glms_vec3_dot(normal, to_light(caster, a)) > 0;
 }
 
 static vec4s here(const Caster *caster, uint32_t vertex) {
@@ -88,7 +83,7 @@ static void add_side(Volume *volume, const Caster *caster, uint32_t a, uint32_t 
 
 bool silhouette_add(Volume *volume, const Mesh *mesh, const Adjacency *adjacency, mat4s world_from_object,
                     const Light *light) {
-    const Caster caster = {mesh, light, world_from_object};
+    const Caster caster = make_caster(mesh, world_from_object, light);
     INVARIANT(adjacency->open_edges == 0);
     for (int i = 0; i < adjacency->index_count; i += 6) {
         const uint32_t *corners = adjacency->indices + i;

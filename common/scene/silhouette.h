@@ -10,11 +10,11 @@
 
 // Triangles, counter-clockwise seen from outside the volume.
 typedef struct Volume {
-    vec4s *corners;      // three a triangle, owned; world, with w = 0 for a point at infinity
+    vec4s *corners;      // three a triangle, owned; in the object's space, with w = 0 for a point at infinity
     int count, capacity; // corners
 } Volume;
 
-// Adds the volume of the mesh as it stands in the world: a near cap, the triangles that face the
+// Adds the volume of the mesh that stands in the world so: a near cap, the triangles that face the
 // light, a far cap, the same at infinity, and a side of two triangles at each edge between one that
 // faces it and one that does not. The adjacency is that of the mesh, without open edges. False with a
 // message when there is no memory.

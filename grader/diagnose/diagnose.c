@@ -5,6 +5,7 @@
 #include "diagnose/reset.h"
 #include "diagnose/swap.h"
 #include "diagnose/error_view.h"
+#include "diagnose/first_frame.h"
 #include "diagnose/wording.h"
 #include "exam/exam_matrix.h"
 #include "scene/check.h"
@@ -112,7 +113,7 @@ static void suspect_noise(Diagnosis *this) {
         const int own = rubric_task_index(rubric, check->check->task);
         const Image *yours = &check->yours[check->worst];
         if (this->failed[c] && own >= 0 && yours->rgba && !check->wrong_size &&
-            whole_is_other_noise(yours, &this->exam->variants[c][check->worst].reference)) {
+            average_kind(yours, &this->exam->variants[c][check->worst].reference)) {
             this->suspects = (Suspects){.tasks = {own}, .count = 1};
             return;
         }
@@ -173,6 +174,19 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
     else
         error_kind(check->seen, sizeof check->seen, &check->yours[check->worst],
                    &exam->variants[c][check->worst].reference, error_view_of(check->check, exam->rubric));
+}
+
+// Of the first failed check that can tell: was it right if it were the first frame?
+static void look_at_first_frame(Diagnosis *this, const WorkerClient *student) {
+    LabResult *result = this->result;
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        const bool is_first = c == 0 && check->worst == 0;
+        if (!this->failed[c] || !check->yours[check->worst].rgba || is_first)
+            continue;
+        result->first_only = first_frame_is_right(check, this->exam, c, student);
+        return;
+    }
 }
 
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {
@@ -259,6 +273,8 @@ bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, FaultS
     }
     if (!find_fault(&this, student, search))
         return false;
+    if (search != FAULT_BY_PICTURES)
+        look_at_first_frame(&this, student);
     name_faults(&this);
     return true;
 }

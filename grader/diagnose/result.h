@@ -72,6 +72,7 @@ typedef struct LabResult {
     char summary[700],
         advice[1500]; // where to look first and why, in a line, and what helps; "" when all passed
     Fault fault;      // no parts when none was found
+    bool first_only;  // what is wrong is right in the first frame: something is kept from it
     int check_count;
     CheckResult checks[RUBRIC_MAX_CHECKS];
 } LabResult;

@@ -140,6 +140,10 @@ void wording_summary(LabResult *result, const char *mistake, const Suspects *sus
         check_append(text, size,
                      suspects->certain ? ": just the failed checks need %s" : ": the failed checks need %s",
                      suspects->count > 1 ? "them" : "it");
+    if (result->first_only)
+        check_append(text, size,
+                     "; it is right in the first frame, and wrong when another was drawn before: "
+                     "something is kept from frame to frame");
     if (!mistake)
         add_hint(result->advice, sizeof result->advice, result, suspects, rubric);
 }

@@ -48,8 +48,8 @@ int main(int count, char **arguments) {
     SceneTable table = {0};
     command_line_take(&command_line, NULL, count, arguments);
     signal(SIGPIPE, SIG_IGN);
-    printf("| lab | scene | planes | boxes | spheres | triangles | least need, %% |\n");
-    printf("|---|---|---|---|---|---|---|\n");
+    printf("| lab | scene | planes | boxes | spheres | arches | triangles | least need, %% |\n");
+    printf("|---|---|---|---|---|---|---|---|\n");
     table.broken = !places_list_labs(print_lab, &table) || table.broken;
     worker_client_stop(&table.worker);
     if (table.broken)

@@ -1,5 +1,5 @@
-// Takes each object of an exam's scenes away, draws solution and solution without the task again, and counts
-// what shows something else.
+// Takes each object and light of an exam's scenes away, draws solution and solution without the task again,
+// and counts what shows something else.
 #include "proof/scene_needs.h"
 
 #include "scene/check.h"
@@ -52,22 +52,37 @@ void scene_needs_describe(char text[ECONOMY_TEXT], const char *lab, const SceneN
     int shapes[SHAPE_COUNT] = {0};
     for (int i = 0; i < economy->first.object_count; i++)
         shapes[economy->first.objects[i].shape]++;
-    snprintf(text, ECONOMY_TEXT, "| %s | %s | %d | %d | %d | %d |", lab, economy->scene, shapes[SHAPE_PLANE],
-             shapes[SHAPE_BOX], shapes[SHAPE_SPHERE], scene_needs_triangles(&economy->first));
+    snprintf(text, ECONOMY_TEXT, "| %s | %s | %d | %d | %d | %d | %d |", lab, economy->scene,
+             shapes[SHAPE_PLANE], shapes[SHAPE_BOX], shapes[SHAPE_SPHERE], shapes[SHAPE_ARCH],
+             scene_needs_triangles(&economy->first));
+}
+
+// May this object, or behind SCENE_MAX_OBJECTS this light, be taken away?
+static bool is_there(const Scene *scene, int thing) {
+    if (thing < SCENE_MAX_OBJECTS)
+        return thing < scene->object_count;
+    return scene->light_count > 1 && thing - SCENE_MAX_OBJECTS < scene->light_count;
 }
 
 double scene_needs_least(const SceneNeeds *economy) {
     double least = 1;
-    for (int i = 0; i < economy->first.object_count; i++)
-        if (!scene_needs_excuse(economy->scene, i))
-            least = fmin(least, economy->need[i]);
+    for (int thing = 0; thing < ECONOMY_THINGS; thing++)
+        if (is_there(&economy->first, thing) && !scene_needs_excuse(economy->scene, thing))
+            least = fmin(least, economy->need[thing]);
     return least;
 }
 
-static void take_away(Scene *scene, int object) {
-    scene->object_count--;
-    memmove(&scene->objects[object], &scene->objects[object + 1],
-            (size_t)(scene->object_count - object) * sizeof scene->objects[0]);
+static void take_away(Scene *scene, int thing) {
+    int light = thing - SCENE_MAX_OBJECTS;
+    if (light < 0) {
+        scene->object_count--;
+        memmove(&scene->objects[thing], &scene->objects[thing + 1],
+                (size_t)(scene->object_count - thing) * sizeof scene->objects[0]);
+    } else {
+        scene->light_count--;
+        memmove(&scene->lights[light], &scene->lights[light + 1],
+                (size_t)(scene->light_count - light) * sizeof scene->lights[0]);
+    }
 }
 
 // Share of the pixels where just one of the variants shows the phenomenon, or both do and differ.
@@ -87,12 +102,12 @@ static bool draw(Painters *roster, Solved solved, const Request *request, Image 
     return painter && painters_draw(roster, painter, request, image, &reply);
 }
 
-// What an object is needed for in one variant: see SceneNeeds.
-static bool find_need(const Variant *whole, Painters *roster, const char *task, int object, double enough,
+// What an object or a light is needed for in one variant: see SceneNeeds.
+static bool find_need(const Variant *whole, Painters *roster, const char *task, int thing, double enough,
                       double *need) {
     static Variant lacking;
     lacking = (Variant){.request = whole->request};
-    take_away(&lacking.request.scene, object);
+    take_away(&lacking.request.scene, thing);
     bool ok = draw(roster, (Solved){SOLVED_ALL, NULL}, &lacking.request, &lacking.reference) &&
               draw(roster, (Solved){SOLVED_ALL_BUT, task}, &lacking.request, &lacking.without);
     *need = ok ? changed_share(whole, &lacking) : 0;
@@ -109,18 +124,19 @@ static bool find_need(const Variant *whole, Painters *roster, const char *task, 
 static bool look_at_check(SceneNeeds *economy, const Exam *exam, Painters *roster, int c, double enough) {
     const Check *check = &exam->rubric->checks[c];
     bool ok = true;
-    for (int object = 0; ok && object < economy->first.object_count; object++) {
+    for (int thing = 0; ok && thing < ECONOMY_THINGS; thing++) {
         double sum = 0, need = 0;
         int count = 0;
-        if (economy->need[object] >= enough)
+        if (!is_there(&economy->first, thing) || economy->need[thing] >= enough)
             continue;
         for (int n = 0; ok && n < check->variants; n++)
-            if (strcmp(exam->variants[c][n].scene, economy->scene) == 0) {
-                ok = find_need(&exam->variants[c][n], roster, check->task, object, enough, &need);
+            if (strcmp(exam->variants[c][n].scene, economy->scene) == 0 &&
+                is_there(&exam->variants[c][n].request.scene, thing)) {
+                ok = find_need(&exam->variants[c][n], roster, check->task, thing, enough, &need);
                 sum += need;
                 count++;
             }
-        economy->need[object] = fmax(economy->need[object], count > 0 ? sum / count : 0);
+        economy->need[thing] = fmax(economy->need[thing], count > 0 ? sum / count : 0);
     }
     return ok;
 }

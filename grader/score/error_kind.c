@@ -3,6 +3,7 @@
 
 #include "scene/check.h"
 #include "score/score.h"
+#include "score/soft_kind.h"
 #include "score/whole_kind.h"
 
 #include <math.h>
@@ -207,6 +208,10 @@ const char *error_kind(char *text, size_t size, const Image *yours, const Image 
     if (moved)
         return moved;
     const char *kind = whole_kind(yours, reference, wrong);
+    kind = kind ? kind : soft_kind(yours, reference, view != ERROR_VIEW_VALUES);
+    kind = kind ? kind : average_kind(yours, reference);
+    if (!kind && view != ERROR_VIEW_VALUES) // samples at other places are no edges
+        kind = coarse_kind(yours, reference);
     if (kind) {
         check_append(text, size, "%s", kind);
         return kind;

@@ -121,16 +121,15 @@ static double right_on_average(const Image *yours, const Image *reference) {
     return blocks >= 8 ? right / blocks : 0;
 }
 
-bool whole_is_other_noise(const Image *yours, const Image *reference) {
-    return right_on_average(yours, reference) > 1 - REST;
-}
-
 const char *whole_kind(const Image *yours, const Image *reference, double wrong) {
     if (wrong_when_mirrored(yours, reference) < REST * wrong)
         return "mirrored: left and right are exchanged";
     const char *kind = channel_kind(yours, reference, wrong);
-    kind = kind ? kind : fitted_kind(yours, reference);
-    if (!kind && whole_is_other_noise(yours, reference))
-        return "right on average, but not the given random numbers, or not in their order";
-    return kind;
+    return kind ? kind : fitted_kind(yours, reference);
+}
+
+const char *average_kind(const Image *yours, const Image *reference) {
+    return right_on_average(yours, reference) > 1 - REST
+               ? "right on average, but not the given random numbers, or not in their order"
+               : NULL;
 }

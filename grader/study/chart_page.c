@@ -2,6 +2,7 @@
 // it.
 #include "study/chart_page.h"
 
+#include "study/chart_label.h"
 #include "study/chart_svg.h"
 #include "scene/check.h"
 #include "base/files.h"
@@ -82,6 +83,37 @@ static json_t *errors_json(const MeasuredErrors *e) {
                      e->interior_false_light, "off", e->off);
 }
 
+// What a chart needs beside the numbers: the spread over the views, a short name, and from where a curve
+// comes.
+static json_t *drawing_json(const SceneFindings *findings, int i) {
+    const Finding *f = &findings->findings[i];
+    char label[LABEL_TEXT];
+    double low, high;
+    int before = label_before(findings, i);
+    label_write(f->method.name, label);
+    finding_range(f, &low, &high);
+    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:s, s:s, s:i, s:f, s:b}", "rmse", f->errors.rmse, "flip",
+                     f->errors.flip, "center", f->errors.center, "low", low, "high", high, "label", label,
+                     "from", before < 0 ? "" : findings->findings[before].method.name, "enoughViews",
+                     f->enough_views, "worstOff", f->worst_off, "traced", f->method.rays > 0);
+}
+
+static void join(json_t *object, json_t *more) {
+    json_object_update(object, more);
+    json_decref(more);
+}
+
+static json_t *lines_json(const Baselines *lines) {
+    json_t *all = json_array();
+    for (int i = 0; i < lines->count; i++) {
+        const Baseline *line = &lines->lines[i];
+        json_array_append_new(all, json_pack("{s:s, s:f, s:f, s:f, s:b}", "name", line->name, "error",
+                                             finding_error(&line->errors), "rmse", line->errors.rmse, "flip",
+                                             line->errors.flip, "floor", line->is_floor));
+    }
+    return all;
+}
+
 static json_t *point_json(const SceneFindings *findings, int i, json_t *frame) {
     const Finding *f = &findings->findings[i];
     const Point *p = &findings->points[i];
@@ -95,8 +127,8 @@ static json_t *point_json(const SceneFindings *findings, int i, json_t *frame) {
                              "prepareMad", f->prepare_mad, "error", p->error, "taps", f->cost.taps, "texels",
                              f->cost.texels, "fragments", f->cost.fragments, "rays", f->cost.rays, "frames",
                              f->frames, "errors", errors_json(&f->errors), "frame", frame);
-    json_object_update(point, rest);
-    json_decref(rest);
+    join(point, rest);
+    join(point, drawing_json(findings, i));
     return point;
 }
 
@@ -122,11 +154,12 @@ bool chart_page_add(FILE *file, const StudyPlan *plan, const SceneFindings *find
     json_t *truth = picture(path);
     findings_tell(findings, need, sizeof need);
     bool ok = truth && add_points(points, plan, findings);
-    json_t *all = json_pack("{s:s, s:s, s:s, s:s, s:f, s:b, s:s, s:s, s:i, s:i, s:o*, s:o}", "name",
+    json_t *all = json_pack("{s:s, s:s, s:s, s:s, s:f, s:b, s:s, s:s, s:i, s:i, s:o*, s:o, s:o, s:i}", "name",
                             scene->name, "title", scene->title, "shows", scene->shows, "need", need,
                             "tolerance", scene->tolerance, "edges", scene->edges, "renderer",
                             findings->renderer, "clock", findings->on_gpu ? "GPU" : "CPU", "width",
-                            plan->size.width, "height", plan->size.height, "truth", truth, "points", points);
+                            plan->size.width, "height", plan->size.height, "truth", truth, "points", points,
+                            "lines", lines_json(&findings->lines), "views", STUDY_VIEWS);
     fputs(is_first ? "" : ",\n", file);
     ok = ok && json_dumpf(all, file, JSON_COMPACT | JSON_REAL_PRECISION(9)) == 0;
     json_decref(all);

@@ -1,22 +1,19 @@
 // The charts: points that show their setting. `scenes` stands before this file.
-const size = {
-  width: 760,
-  height: 500,
-  left: 64,
-  right: 14,
-  top: 14,
-  bottom: 46
-},
-      leastError = 1e-6;
+const narrow = matchMedia('(max-width: 40rem)'), leastError = 1e-6, beyond = 3;
+let size;
+function setSize() {
+  size = {width: narrow.matches ? 400 : 760, height: 500, left: 64, right: 14, top: 14, bottom: 46};
+}
+setSize();
 const time = p => byShade.checked ? p.shade : p.ms, mad = p => byShade.checked ? p.shadeMad : p.mad;
-const byShade = document.getElementById('shade');
+const byShade = document.getElementById('shade'), figure = document.getElementById('figure');
 const digits = x => x === 0     ? '0'
                     : x >= 1000 ? Math.round(x).toLocaleString('en')
                                 : Number(x.toPrecision(3)).toString();
 const percent = x => digits(100 * x) + ' %';
 
 function make(name, attributes = {}, ...children) {
-  const isDrawing = ['svg', 'g', 'path', 'line', 'circle', 'text', 'rect'].includes(name);
+  const isDrawing = ['svg', 'g', 'path', 'line', 'circle', 'text', 'rect', 'title'].includes(name);
   const element =
       isDrawing ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes))
@@ -66,14 +63,15 @@ function drawAxes(svg, scene, x, y) {
   back.append(
       make('rect', {class: 'axis', x: size.left, y: size.top, width: right - size.left, height: bottom - size.top}),
       make('text', {x: (size.left + right) / 2, y: size.height - 8, 'text-anchor': 'middle'},
-           `${scene.clock} time of a frame, ms; ${scene.renderer}`),
+           `${scene.clock} time of a frame, ms`),
       make('text',
            {x: 14, y: size.height / 2, transform: `rotate(-90 14 ${size.height / 2})`, 'text-anchor': 'middle'},
-           'error'));
+           figure.selectedOptions[0].textContent));
   svg.append(back);
 }
 
-const errorOf = p => Math.max(p.error, leastError);
+const errorOf = p => Math.max(p[figure.value], leastError);
+const labOf = p => p.traced ? 'no lab' : `lab ${p.lab}`;
 
 function drawFront(svg, points, x, y) {
   const front = points.filter(p => p.front && !p.submission);
@@ -86,21 +84,76 @@ function drawFront(svg, points, x, y) {
 }
 
 function describe(p) {
-  return `${p.submission ? 'submission, ' : ''}${p.method}, ${p.setting}, lab ${p.lab}: ${
-             digits(time(p))} ms, error ${percent(p.error)}` +
+  return `${p.submission ? 'submission, ' : ''}${p.method}, ${p.setting}, ${labOf(p)}: ${
+             digits(time(p))} ms, error ${percent(p[figure.value])}` +
          (p.front ? ', on the front' : '') + (p.chosen ? ', what this scene needs' : '');
 }
 
-function drawPoint(p, x, y) {
+// Lines that every method is held against, as far as they lie within the chart.
+function drawLines(svg, scene, y) {
+  const right = size.width - size.right;
+  for (const line of scene.lines) {
+    const down = y.place(errorOf(line));
+    if (down < size.top || down > size.height - size.bottom)
+      continue;
+    svg.append(make('line', {class: line.floor ? 'line floor' : 'line', x1: size.left, x2: right, y1: down, y2: down}),
+               make('text', {class: 'small', x: right - 4, y: down - 4, 'text-anchor': 'end'}, line.name));
+  }
+}
+
+// Places of marks, none on another one: ring by ring around where the numbers say.
+function placeMarks(points, x, y) {
+  const radius = 5, placed = [];
+  const isFree = ([u, v]) => placed.every(([a, b]) => Math.abs(a - u) >= 2 * radius || Math.abs(b - v) >= 2 * radius);
+  for (const p of points) {
+    const at = [x.place(Math.max(time(p), 1e-3)), y.place(errorOf(p))], places = [at];
+    for (let ring = 1; ring < 24; ring++)
+      for (let d = 0; d < 12; d++)
+        places.push([at[0] + ring * radius * Math.cos(d * Math.PI / 6), at[1] + ring * radius * Math.sin(d * Math.PI / 6)]);
+    placed.push(places.find(isFree) || at);
+  }
+  return placed;
+}
+
+function drawCurves(svg, points, x, y) {
+  for (const p of points) {
+    const from = points.find(q => q.method === p.method && q.submission === p.submission && q.setting === p.from);
+    if (from)
+      svg.append(make('line', {
+        class: 'curve',
+        stroke: p.color,
+        x1: x.place(time(from)),
+        y1: y.place(errorOf(from)),
+        x2: x.place(time(p)),
+        y2: y.place(errorOf(p))
+      }));
+  }
+}
+
+// The mark stands at [u, v], what it says at its bars' crossing.
+function drawPoint(p, x, y, [u, v]) {
   const at = x.place(Math.max(time(p), 1e-3)), down = y.place(errorOf(p));
   const ends = [Math.max(time(p) - mad(p), time(p) / 2), time(p) + mad(p)].map(x.place);
   const point =
       make('g', {class: 'point', role: 'option', tabindex: -1, 'aria-selected': 'false', 'aria-label': describe(p)},
-           make('circle', {class: 'halo', cx: at, cy: down, r: 9}),
-           make('line', {class: 'bar', x1: ends[0], x2: ends[1], y1: down, y2: down, stroke: p.color}),
-           shape(p, at, down, 4.5), make('circle', {cx: at, cy: down, r: 8, fill: 'transparent'}));
+           make('title', {}, describe(p)), make('circle', {class: 'halo', cx: u, cy: v, r: 9}),
+           make('line', {class: 'bar', x1: ends[0], x2: ends[1], y1: down, y2: down, stroke: p.color}));
+  if (figure.value === 'error')
+    point.append(make('line', {
+      class: 'bar',
+      x1: at,
+      x2: at,
+      y1: y.place(Math.max(p.low, leastError)),
+      y2: y.place(Math.max(p.high, leastError)),
+      stroke: p.color
+    }));
+  if (u !== at || v !== down)
+    point.append(make('line', {class: 'away', x1: at, y1: down, x2: u, y2: v}));
+  point.append(shape(p, u, v, 4.5), make('circle', {cx: u, cy: v, r: 8, fill: 'transparent'}));
+  if (p.front || p.chosen)
+    point.append(make('text', {class: 'small', x: u, y: v - 8, 'text-anchor': 'middle'}, p.label));
   if (p.chosen)
-    point.prepend(make('circle', {class: 'need', cx: at, cy: down, r: 13}));
+    point.prepend(make('circle', {class: 'need', cx: u, cy: v, r: 13}));
   return point;
 }
 
@@ -109,11 +162,14 @@ function numbers(scene, p) {
     ['time of a frame', `${digits(p.ms)} ± ${digits(p.mad)} ms, ${p.frames} frames`],
     ['before the picture (map, volumes, bake)', `${digits(p.prepare)} ± ${digits(p.prepareMad)} ms`],
     ['the picture', `${digits(p.shade)} ± ${digits(p.shadeMad)} ms`],
+    ['error: mean, least and most of the views', `${percent(p.error)}, ${percent(p.low)}, ${percent(p.high)}`],
+    ['root of the mean square', percent(p.rmse)], ['FLIP', percent(p.flip)],
     ['false shadow inside', percent(e.insideShadow)], ['false light inside', percent(e.insideLight)]
   ];
   if (scene.edges)
     rows.push(['false shadow at the edge', percent(e.edgeShadow)], ['false light at the edge', percent(e.edgeLight)],
-              ['the edge is off by', `${digits(e.off)} pixels`]);
+              ['the edge is off by', `${digits(e.off)} pixels, at most ${digits(p.worstOff)}`]);
+  rows.push(['enough in', `${p.enoughViews} of ${scene.views} views`]);
   const costs =
       [['taps a pixel', p.taps], ['texels', p.texels], ['fragments of volumes', p.fragments], ['rays', p.rays]];
   rows.push(...costs.filter(([, cost]) => cost > 0).map(([name, cost]) => [name, digits(cost)]));
@@ -134,7 +190,7 @@ function show(panel, scene, p) {
   canvas.dataset.of = describe(p);
   const key = end => make('span', {class: 'key', style: `background: rgb(${errorColors[end]})`});
   panel.replaceChildren(
-      make('h3', {}, `${p.submission ? 'Submission: ' : ''}${p.method}, ${p.setting} (lab ${p.lab})`),
+      make('h3', {}, `${p.submission ? 'Submission: ' : ''}${p.method}, ${p.setting} (${labOf(p)})`),
       make('div', {class: 'pictures'},
            make('figure', {}, make('img', {
                   src: p.frame,
@@ -151,13 +207,13 @@ function show(panel, scene, p) {
 
 function tableOf(scene, points) {
   const heads = [
-    'method and setting', 'lab', 'ms', 'MAD', 'picture, ms', 'error', 'edge off, px', 'taps', 'texels', 'fragments',
+    'method and setting', 'lab', 'ms', 'MAD', 'picture, ms', 'error', 'RMSE', 'FLIP', 'edge off, px', 'taps', 'texels', 'fragments',
     'rays', 'front', 'enough'
   ];
   const row =
       p => [`${p.submission ? 'submission: ' : ''}${p.method}, ${p.setting}`, p.lab, digits(p.ms), digits(p.mad),
-            digits(p.shade), percent(p.error), scene.edges ? digits(p.errors.off) : '', digits(p.taps),
-            digits(p.texels), digits(p.fragments), digits(p.rays), p.front ? 'yes' : '', p.enough ? 'yes' : ''];
+            digits(p.shade), percent(p.error), percent(p.rmse), percent(p.flip), scene.edges ? digits(p.errors.off) : '', digits(p.taps),
+            digits(p.texels), digits(p.fragments), digits(p.rays), p.front ? 'yes' : '', p.enough ? 'yes' : `${p.enoughViews} of ${scene.views}`];
   return make(
       'details', {}, make('summary', {}, `All ${points.length} settings as a table`),
       make('div', {class: 'wide', tabindex: 0, role: 'region', 'aria-label': `Settings of ${scene.title}`},
@@ -180,13 +236,16 @@ function drawChart(scene, points, chosen, choose) {
   const svg = make(
       'svg', {viewBox: `0 0 ${size.width} ${size.height}`, role: 'group', 'aria-label': `Chart: ${scene.title}`});
   const x = axis(points.flatMap(p => [time(p), time(p) + mad(p)]).map(t => Math.max(t, 1e-3)), size.left,
-                 size.width - size.right, [1, 1.5, 2, 3, 5, 7]);
-  const errors = points.map(errorOf), narrow = Math.max(...errors) < 100 * Math.min(...errors);
-  const y = axis(errors, size.height - size.bottom, size.top, narrow ? [1, 2, 5] : [1]);
+                 size.width - size.right, narrow.matches ? [1, 3] : [1, 1.5, 2, 3, 5, 7]);
+  const errors = [...points, ...scene.lines.filter(line => line.floor)].map(errorOf),
+        few = Math.max(...errors) < 100 * Math.min(...errors);
+  const y = axis(errors, size.height - size.bottom, size.top, few ? [1, 2, 5] : [1]), places = placeMarks(points, x, y);
   drawAxes(svg, scene, x, y);
   drawFront(svg, points, x, y);
+  drawLines(svg, scene, y);
+  drawCurves(svg, points, x, y);
   const list = make('g', {role: 'listbox', 'aria-label': `Settings of ${scene.title}, by time`}),
-        marks = points.map(p => drawPoint(p, x, y));
+        marks = points.map((p, i) => drawPoint(p, x, y, places[i]));
   const select = (i, focus) => {
     marks.forEach((mark, j) => {
       mark.setAttribute('aria-selected', i === j);
@@ -227,16 +286,23 @@ function drawScene(scene) {
         panel = make('section', {'aria-live': 'polite', 'aria-label': `The setting, ${scene.title}`});
   let current = scene.points.find(p => p.chosen) || scene.points[0];
   const draw = () => {
-    const points = [...scene.points].sort((a, b) => time(a) - time(b));
+    const all = [...scene.points].sort((a, b) => time(a) - time(b));
+    const most = beyond * Math.max(...all.filter(p => !p.traced).map(p => p.ms));
+    const points = all.filter(p => !p.traced || p.ms <= most);
     chart.replaceChildren(drawChart(scene, points, current, p => {
                             current = p;
                             show(panel, scene, p);
-                          }), legend(points), tableOf(scene, points));
+                          }), legend(points), tableOf(scene, all));
   };
   byShade.addEventListener('change', draw);
+  figure.addEventListener('change', draw);
+  narrow.addEventListener('change', () => {
+    setSize();
+    draw();
+  });
   draw();
   return make('section', {'aria-label': scene.title}, make('h2', {}, scene.title),
-              make('p', {}, `Shows: ${scene.shows}.`),
+              make('p', {}, `Shows: ${scene.shows}. Drawn by ${scene.renderer}.`),
               make('p', {}, make('strong', {}, 'What it needs: '), scene.need + '.'),
               make('div', {class: 'scene'}, chart, panel));
 }

@@ -1,33 +1,38 @@
-// Writes a script for gnuplot: families of settings as curves, bars of noise, and the front.
+// Draws axes, curves, bars, marks, labels and a legend as SVG: 480 pixels wide, so that letters stay large
+// enough where it is shown on 360.
 #include "study/chart_svg.h"
 
-#include "scene/check.h"
 #include "base/files.h"
-#include "base/gnuplot.h"
 #include "pages/curve_colors.h"
+#include "scene/check.h"
+#include "study/chart_layout.h"
+#include "study/svg.h"
 #include "study/verdict.h"
 
-#include <errno.h>
 #include <math.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-static const int shapes[CURVE_COLORS] = {7, 5, 9, 11, 13, 6, 4, 8, 10, 12};
+enum { WIDTH = 480, PLOT_HEIGHT = 470, ROW = 19, LETTERS = 14, SMALL = 12 };
+static const LayoutBox plot = {58, 48, WIDTH - 10, 48 + PLOT_HEIGHT};
 
-static bool same_family(const Finding *finding, const char *family, bool submission) {
-    return finding->method.submission == submission && strcmp(finding->method.family, family) == 0;
-}
+typedef struct Chart {
+    const SceneFindings *findings;
+    LayoutAxis time, error;
+    double slowest; // of all but ray tracing, ms
+    LayoutPoint points[METHOD_MOST];
+    Svg svg;
+} Chart;
 
 int chart_family(const SceneFindings *findings, const char *family, bool submission) {
     int number = 0;
     for (int i = 0; i < findings->count; i++) {
         const Finding *finding = &findings->findings[i];
-        if (same_family(finding, family, submission))
+        if (finding->method.submission == submission && strcmp(finding->method.family, family) == 0)
             return number;
         bool is_new = true;
         for (int j = 0; j < i; j++)
-            is_new = is_new &&
-                     !same_family(&findings->findings[j], finding->method.family, finding->method.submission);
+            is_new = is_new && !label_same_family(&findings->findings[j], finding);
         number += is_new;
     }
     return -1;
@@ -38,33 +43,101 @@ const char *chart_color(const SceneFindings *findings, const Method *method) {
                               : curve_colors[chart_family(findings, method->family, false) % CURVE_COLORS];
 }
 
-static void write_point(FILE *file, const SceneFindings *findings, int i) {
-    const Point *point = &findings->points[i];
-    fprintf(file, "%.6g %.6g %.6g %.6g\n", point->ms, fmax(point->error, CHART_LEAST_ERROR),
-            fmax(point->ms - point->mad, point->ms / 2), point->ms + point->mad);
+static void grow(LayoutAxis *axis, double value) {
+    axis->low = fmin(axis->low, value);
+    axis->high = fmax(axis->high, value);
 }
 
-// Is this finding the first of its family?
-static bool is_first(const SceneFindings *findings, int i) {
-    const Method *method = &findings->findings[i].method;
-    for (int j = 0; j < i; j++)
-        if (same_family(&findings->findings[j], method->family, method->submission))
-            return false;
-    return true;
-}
+enum { BEYOND = 3 }; // rays may take so many times as long as the slowest of the others
 
-static void write_family(FILE *file, const SceneFindings *findings, const Method *method) {
+static double slowest(const SceneFindings *findings) {
+    double most = 0;
     for (int i = 0; i < findings->count; i++)
-        if (findings->findings[i].drawn &&
-            same_family(&findings->findings[i], method->family, method->submission))
-            write_point(file, findings, i);
-    fputs("\n\n", file);
+        if (findings->findings[i].drawn && findings->findings[i].method.rays == 0)
+            most = fmax(most, findings->points[i].ms);
+    return most;
 }
 
-// The front from left to right: each point of it as gnuplot's `steps` want it.
-static void write_front(FILE *file, const SceneFindings *findings) {
-    double last = -1;
-    for (int n = 0; n < findings->count; n++) {
+// Has the setting a point? Rays that take far longer than all labs would push these together; they are told
+// below.
+static bool is_charted(const Chart *chart, int i) {
+    const Finding *finding = &chart->findings->findings[i];
+    return finding->drawn &&
+           (finding->method.rays == 0 || chart->findings->points[i].ms <= BEYOND * chart->slowest);
+}
+
+static void set_axes(Chart *chart) {
+    const SceneFindings *findings = chart->findings;
+    chart->slowest = slowest(findings);
+    chart->time = (LayoutAxis){INFINITY, 0, plot.left, plot.right};
+    chart->error = (LayoutAxis){INFINITY, 0, plot.bottom, plot.top};
+    for (int i = 0; i < findings->count; i++)
+        if (is_charted(chart, i)) {
+            grow(&chart->time, findings->points[i].ms);
+            grow(&chart->error, fmax(findings->points[i].error, CHART_LEAST_ERROR));
+        }
+    const Baseline *floor = baselines_floor(&findings->lines);
+    if (floor)
+        grow(&chart->error, fmax(finding_error(&floor->errors), CHART_LEAST_ERROR));
+    chart->time.low /= 1.25, chart->time.high *= 1.4;
+    chart->error.low /= 1.5, chart->error.high *= 1.6;
+}
+
+// The numbers 1, 2 and 5 times a power of ten within the axis; where these are many, 1 only.
+static int list_ticks(const LayoutAxis *axis, double *ticks, int most) {
+    static const double steps[] = {1, 2, 5};
+    bool wide = axis->high > 300 * axis->low;
+    int count = 0;
+    for (int power = -9; power <= 6; power++)
+        for (int s = 0; s < (wide ? 1 : 3); s++) {
+            double tick = steps[s] * pow(10, power);
+            if (tick >= axis->low && tick <= axis->high && count < most)
+                ticks[count++] = tick;
+        }
+    return count;
+}
+
+static void draw_axes(Chart *chart) {
+    double ticks[32];
+    Svg *svg = &chart->svg;
+    for (int i = 0, count = list_ticks(&chart->time, ticks, 32); i < count; i++) {
+        double x = layout_place(&chart->time, ticks[i]);
+        svg_line(svg, x, plot.top, x, plot.bottom, "#dddddd", 1, NULL);
+        svg_text(svg, x, plot.bottom + 17, LETTERS, "middle", "#1a1a1a", "%g", ticks[i]);
+    }
+    for (int i = 0, count = list_ticks(&chart->error, ticks, 32); i < count; i++) {
+        double y = layout_place(&chart->error, ticks[i]);
+        svg_line(svg, plot.left, y, plot.right, y, "#dddddd", 1, NULL);
+        svg_text(svg, plot.left - 5, y + 5, LETTERS, "end", "#1a1a1a", "%g %%", 100 * ticks[i]);
+    }
+    svg_box(svg, plot, "#555555");
+    svg_text(svg, WIDTH / 2.0, 19, LETTERS + 1, "middle", "#1a1a1a", "%s", chart->findings->scene->title);
+    svg_text(svg, 10, plot.top - 8, LETTERS, "start", "#1a1a1a", "error, mean over the picture");
+    svg_text(svg, plot.right, plot.bottom + 35, LETTERS, "end", "#1a1a1a", "%s time of a frame, ms",
+             chart->findings->on_gpu ? "GPU" : "CPU");
+}
+
+// Each as a dashed line with its name; what lies outside is named in the legend.
+static bool is_inside(const Chart *chart, double error) {
+    return error >= chart->error.low && error <= chart->error.high;
+}
+
+static void draw_baselines(Chart *chart) {
+    for (int i = 0; i < chart->findings->lines.count; i++) {
+        const Baseline *line = &chart->findings->lines.lines[i];
+        double error = fmax(finding_error(&line->errors), CHART_LEAST_ERROR),
+               y = layout_place(&chart->error, error);
+        if (!is_inside(chart, error))
+            continue;
+        svg_line(&chart->svg, plot.left, y, plot.right, y, "#555555", 1.2, line->is_floor ? "2 3" : "7 4");
+        svg_text(&chart->svg, plot.right - 4, y - 4, SMALL, "end", "#555555", "%s", line->name);
+    }
+}
+
+static void draw_front(Chart *chart) {
+    const SceneFindings *findings = chart->findings;
+    double last = -1, x = 0, y = 0;
+    for (;;) {
         int next = -1;
         for (int i = 0; i < findings->count; i++)
             if (findings->points[i].on_front && !findings->findings[i].method.submission &&
@@ -72,110 +145,147 @@ static void write_front(FILE *file, const SceneFindings *findings) {
                 (next < 0 || findings->points[i].ms < findings->points[next].ms))
                 next = i;
         if (next < 0)
-            break;
-        last = findings->points[next].ms;
-        write_point(file, findings, next);
-    }
-    fputs("\n\n", file);
-}
-
-// Blocks: the front, the chosen setting, then the families.
-static bool write_data(const SceneFindings *findings, const char *path) {
-    FILE *file = fopen(path, "w");
-    if (!file)
-        return check_fail("%s: %s", path, strerror(errno));
-    write_front(file, findings);
-    const Finding *chosen = findings_chosen(findings);
-    if (chosen)
-        write_point(file, findings, (int)(chosen - findings->findings));
-    else
-        fputs("-1 1 -1 -1\n", file); // nowhere
-    fputs("\n\n", file);
-    for (int i = 0; i < findings->count; i++)
-        if (is_first(findings, i))
-            write_family(file, findings, &findings->findings[i].method);
-    return fclose(file) == 0 || check_fail("%s cannot be written", path);
-}
-
-// A little more than from the smallest to the largest error.
-static void write_range(FILE *file, const SceneFindings *findings) {
-    double low = 1, high = CHART_LEAST_ERROR;
-    for (int i = 0; i < findings->count; i++)
-        if (findings->findings[i].drawn) {
-            low = fmin(low, fmax(findings->points[i].error, CHART_LEAST_ERROR));
-            high = fmax(high, findings->points[i].error);
+            return;
+        double to_x = chart->points[next].x, to_y = chart->points[next].y;
+        if (last >= 0) {
+            svg_line(&chart->svg, x, y, to_x, y, "#bbbbbb", 5, NULL);
+            svg_line(&chart->svg, to_x, y, to_x, to_y, "#bbbbbb", 5, NULL);
         }
-    fprintf(file, "set yrange [%g:%g]\n", low / 1.5, high * 1.5);
-}
-
-// What gnuplot puts between double quotes: no quote, no backslash.
-static void write_quoted(FILE *file, const char *text) {
-    for (; *text; text++)
-        if (*text != '"' && *text != '\\')
-            fputc(*text, file);
-}
-
-static void write_time_axis(FILE *file, const SceneFindings *findings) {
-    fprintf(file, "set xlabel \"%s time of a frame, ms (median; bars: MAD). %s\\n",
-            findings->on_gpu ? "GPU" : "CPU",
-            findings->on_gpu ? "Another GPU may rank them otherwise." : "A GPU may rank them otherwise.");
-    write_quoted(file, findings->renderer);
-    fputs("\" noenhanced\n", file);
-}
-
-static void write_axes(FILE *file, const SceneFindings *findings) {
-    fprintf(file,
-            "set terminal svg size 920,560 font 'sans-serif,13' background 'white'\n"
-            "set output '%s.svg'\n"
-            "set title '%s'\n"
-            "set logscale xy\n"
-            "set ylabel 'error: false shadow + false light, mean over the picture'\n"
-            "set xtics add (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 3, 5, 7, 10, 15, 20, 30, 50, 70, "
-            "100, 150, 200, 300, 500, 700, 1000)\n"
-            "set ytics ('100 %%%%' 1, '10 %%%%' 0.1, '1 %%%%' 0.01, '0.1 %%%%' 1e-3, '0.01 %%%%' 1e-4, "
-            "'0.001 %%%%' "
-            "1e-5, 'none' 1e-6)\n"
-            "set autoscale xfix\nset offsets graph 0.03, graph 0.03, 0, 0\n"
-            "set grid xtics ytics lc rgb '#dddddd' lt 1 lw 1\nset key outside right top reverse Left spacing "
-            "1.2\n"
-            "set bars 0.5\n",
-            findings->scene->name, findings->scene->title);
-    write_time_axis(file, findings);
-}
-
-static bool write_script(const SceneFindings *findings, const char *path) {
-    FILE *file = fopen(path, "w");
-    if (!file)
-        return check_fail("%s: %s", path, strerror(errno));
-    write_axes(file, findings);
-    write_range(file, findings);
-    const char *name = findings->scene->name;
-    fprintf(file, "plot '%s.dat' index 0 using 1:2 with steps lc rgb '#999999' lw 2 title 'front', \\\n",
-            name);
-    fprintf(
-        file,
-        "  '' index 1 using 1:2 with points pt 6 ps 2.4 lw 2 lc rgb '#000000' title 'enough, and cheapest'");
-    for (int i = 0; i < findings->count; i++) {
-        const Method *method = &findings->findings[i].method;
-        if (!is_first(findings, i))
-            continue;
-        int family = chart_family(findings, method->family, method->submission);
-        fprintf(file,
-                ", \\\n  '' index %d using 1:2:3:4 with xerrorbars pt %d ps 0.7 lc rgb '%s' title '%s%s'",
-                family + 2, method->submission ? 2 : shapes[family % CURVE_COLORS],
-                chart_color(findings, method), method->submission ? "submission: " : "", method->family);
+        x = to_x, y = to_y, last = findings->points[next].ms;
     }
-    fputc('\n', file);
-    return fclose(file) == 0 || check_fail("%s cannot be written", path);
+}
+
+// The curve to a point, its bars, and, where its mark stands aside, the way there.
+static void draw_strokes(Chart *chart, int i) {
+    const LayoutPoint *at = &chart->points[i];
+    const Point *point = &chart->findings->points[i];
+    const char *color = chart_color(chart->findings, &chart->findings->findings[i].method);
+    int before = label_before(chart->findings, i);
+    double low, high;
+    finding_range(&chart->findings->findings[i], &low, &high);
+    if (before >= 0 && chart->points[before].drawn)
+        svg_line(&chart->svg, chart->points[before].x, chart->points[before].y, at->x, at->y, color, 1.4,
+                 NULL);
+    svg_line(&chart->svg, layout_place(&chart->time, fmax(point->ms - point->mad, point->ms / 2)), at->y,
+             layout_place(&chart->time, point->ms + point->mad), at->y, color, 1, NULL);
+    svg_line(&chart->svg, at->x, layout_place(&chart->error, fmax(low, CHART_LEAST_ERROR)), at->x,
+             layout_place(&chart->error, fmax(high, CHART_LEAST_ERROR)), color, 1, NULL);
+    if (at->mark_x != at->x || at->mark_y != at->y)
+        svg_line(&chart->svg, at->x, at->y, at->mark_x, at->mark_y, "#777777", 0.8, "2 1");
+}
+
+static void draw_mark(Chart *chart, int i) {
+    const Finding *finding = &chart->findings->findings[i];
+    const LayoutPoint *at = &chart->points[i];
+    int family = chart_family(chart->findings, finding->method.family, finding->method.submission);
+    svg_begin_titled(&chart->svg, "%s%s, %s: %.3g ms, error %.3g %%",
+                     finding->method.submission ? "submission: " : "", finding->method.family,
+                     finding->method.name, chart->findings->points[i].ms,
+                     100 * chart->findings->points[i].error);
+    if (finding->chosen)
+        svg_ring(&chart->svg, at->mark_x, at->mark_y, 2 * LAYOUT_MARK, "#000000");
+    svg_mark(&chart->svg, at->mark_x, at->mark_y, LAYOUT_MARK,
+             finding->method.submission ? SVG_CROSS : family, chart_color(chart->findings, &finding->method));
+    if (at->labelled)
+        svg_text(&chart->svg, (at->text.left + at->text.right) / 2, at->text.bottom - 1, SMALL, "middle",
+                 "#1a1a1a", "%s", at->label);
+    svg_end_titled(&chart->svg);
+}
+
+static bool is_first(const SceneFindings *findings, int i) {
+    for (int j = 0; j < i; j++)
+        if (label_same_family(&findings->findings[j], &findings->findings[i]))
+            return false;
+    return true;
+}
+
+// Two columns below the plot, from the line `y` on; the next free line.
+static double draw_families(Chart *chart, double y) {
+    int place = 0;
+    for (int i = 0; i < chart->findings->count; i++) {
+        const Method *method = &chart->findings->findings[i].method;
+        if (!is_first(chart->findings, i))
+            continue;
+        double x = 16 + place % 2 * (WIDTH / 2.0), line = y + ROW * (place / 2); // NOLINT
+        int family = chart_family(chart->findings, method->family, method->submission);
+        svg_mark(&chart->svg, x, line - 4, LAYOUT_MARK, method->submission ? SVG_CROSS : family,
+                 chart_color(chart->findings, method));
+        svg_text(&chart->svg, x + 11, line, SMALL + 1, "start", "#1a1a1a", "%s%s",
+                 method->submission ? "submission: " : "", method->family);
+        place++;
+    }
+    return y + ROW * ((place + 1) / 2); // NOLINT
+}
+
+// An example of a short name: that of what is chosen, or of the first.
+static const Finding *example(const SceneFindings *findings) {
+    const Finding *chosen = findings_chosen(findings);
+    return chosen ? chosen : &findings->findings[0];
+}
+
+static void note(Chart *chart, double *y, const char *text) {
+    svg_text(&chart->svg, 10, *y, SMALL, "start", "#444444", "%s", text);
+    *y += ROW - 3;
+}
+
+static double draw_notes(Chart *chart, double y) {
+    char text[200], label[LABEL_TEXT];
+    label_write(example(chart->findings)->method.name, label);
+    snprintf(text, sizeof text, "%s = %s. Ring: the cheapest that is enough. Grey: the front.", label,
+             example(chart->findings)->method.name);
+    note(chart, &y, text);
+    snprintf(text, sizeof text, "Bars: MAD of the times, and least and most error of %d views.", STUDY_VIEWS);
+    note(chart, &y, text);
+    for (int i = 0; i < chart->findings->lines.count; i++) {
+        const Baseline *line = &chart->findings->lines.lines[i];
+        if (is_inside(chart, fmax(finding_error(&line->errors), CHART_LEAST_ERROR)))
+            continue;
+        snprintf(text, sizeof text, "Outside: %s, %.3g %%.", line->name, 100 * finding_error(&line->errors));
+        note(chart, &y, text);
+    }
+    for (int i = 0; i < chart->findings->count; i++) {
+        const Finding *finding = &chart->findings->findings[i];
+        if (!finding->drawn || is_charted(chart, i))
+            continue;
+        snprintf(text, sizeof text, "Outside: %s, %s: %.0f ms, %.2g %%.", finding->method.family,
+                 finding->method.name, chart->findings->points[i].ms, 100 * chart->findings->points[i].error);
+        note(chart, &y, text);
+    }
+    note(chart, &y, chart->findings->renderer);
+    return y;
+}
+
+static void draw(Chart *chart) {
+    const SceneFindings *findings = chart->findings;
+    for (int i = 0; i < findings->count; i++)
+        chart->points[i].drawn = is_charted(chart, i);
+    layout_points(findings, &chart->time, &chart->error, plot, SMALL, chart->points);
+    draw_axes(chart);
+    draw_front(chart);
+    draw_baselines(chart);
+    for (int i = 0; i < findings->count; i++)
+        if (chart->points[i].drawn)
+            draw_strokes(chart, i);
+    for (int i = 0; i < findings->count; i++)
+        if (chart->points[i].drawn)
+            draw_mark(chart, i);
+    double y = draw_notes(chart, draw_families(chart, plot.bottom + 62) + 4);
+    svg_end(&chart->svg, WIDTH, (int)y);
 }
 
 bool chart_draw(const SceneFindings *findings, const char *folder) {
     char path[FILES_PATH], file[64];
-    snprintf(file, sizeof file, "%s.dat", findings->scene->name);
+    Chart *chart = calloc(1, sizeof *chart);
+    if (!chart)
+        return check_fail("out of memory for a chart");
+    chart->findings = findings;
+    snprintf(file, sizeof file, "%s.svg", findings->scene->name);
     files_join(path, folder, file);
-    if (!write_data(findings, path))
-        return false;
-    snprintf(file, sizeof file, "%s.gp", findings->scene->name);
-    files_join(path, folder, file);
-    return write_script(findings, path) && gnuplot_run(folder, file);
+    set_axes(chart);
+    bool ok = svg_begin(&chart->svg);
+    if (ok)
+        draw(chart);
+    ok = ok && svg_write(&chart->svg, path);
+    free(chart);
+    return ok;
 }

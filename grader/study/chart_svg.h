@@ -1,4 +1,4 @@
-// A scene's findings as a picture for documents: log time against log error, drawn by gnuplot.
+// A scene's findings as a picture for documents: log time against log error, readable on a telephone.
 #pragma once
 
 #include "study/finding.h"
@@ -6,7 +6,7 @@
 // Errors below this are drawn at it: one wrong pixel of 640 x 480 is more.
 #define CHART_LEAST_ERROR 1e-6
 
-// Writes folder/SCENE.dat and SCENE.gp and lets gnuplot make folder/SCENE.svg of them. False with a message.
+// Writes folder/SCENE.svg. False with a message.
 bool chart_draw(const SceneFindings *findings, const char *folder);
 
 // The place of a family in the list of the scene's families, in the order of their first setting.

@@ -40,12 +40,16 @@ static double covered(const vec4s triangle[3]) {
     return fabs(twice) / 2;
 }
 
+// Adds the object's volume, in the world.
 static bool add_object(Volume *volume, const Object *object, const Light *light) {
     Mesh mesh;
     Adjacency adjacency = {0};
+    int first = volume->count;
     bool ok = mesh_create(&mesh, (Shape)object->shape) && adjacency_create(&adjacency, &mesh);
     if (ok && adjacency.open_edges == 0)
         ok = silhouette_add(volume, &mesh, &adjacency, object->world_from_object, light);
+    for (int i = first; i < volume->count; i++)
+        volume->corners[i] = glms_mat4_mulv(object->world_from_object, volume->corners[i]);
     adjacency_destroy(&adjacency);
     mesh_destroy(&mesh);
     return ok;

@@ -1,6 +1,7 @@
 #include "study/verdict.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <math.h>
 
@@ -28,6 +29,20 @@ static bool costs_as_little(const Point *point, const Point *cheapest) {
     return point->ms <= SAME_COST * cheapest->ms || !pareto_surely_faster(cheapest, point);
 }
 
+// Of two settings that take the same time, the one that holds less, then counts less, then errs less.
+static bool is_less(const SceneFindings *findings, int a, int b) {
+    const Cost *x = &findings->findings[a].cost, *y = &findings->findings[b].cost;
+    const double pairs[][2] = {{x->texels, y->texels},
+                               {x->rays, y->rays},
+                               {x->fragments, y->fragments},
+                               {x->taps, y->taps},
+                               {findings->points[a].error, findings->points[b].error}};
+    for (size_t i = 0; i < COUNT(pairs); i++)
+        if (pairs[i][0] != pairs[i][1])
+            return pairs[i][0] < pairs[i][1];
+    return false;
+}
+
 int findings_choose(const SceneFindings *findings, double scale, int view) {
     int cheapest = -1, best = -1;
     for (int i = 0; i < findings->count; i++)
@@ -39,7 +54,7 @@ int findings_choose(const SceneFindings *findings, double scale, int view) {
         if (may_be_chosen(&findings->findings[i]) &&
             is_enough_in(findings, &findings->findings[i], scale, view) &&
             costs_as_little(&findings->points[i], &findings->points[cheapest]) &&
-            (best < 0 || findings->points[i].error < findings->points[best].error))
+            (best < 0 || is_less(findings, i, best)))
             best = i;
     return best;
 }

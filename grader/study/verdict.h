@@ -10,8 +10,9 @@ void findings_judge(SceneFindings *findings);
 const Finding *findings_chosen(const SceneFindings *findings);
 
 // Which one would be chosen if all limits (FINDING_MOST_OFF, the scene's tolerance) were multiplied by
-// `scale`, and if only this view counted (-1: all count)? Of those that cost the same within the noise, the
-// one that errs least. -1: none is enough.
+// `scale`, and if only this view counted (-1: all count)? Of those that take the same time within
+// the noise, the one with the fewest texels, rays, fragments and taps, and then the smallest error. -1: none
+// is enough.
 int findings_choose(const SceneFindings *findings, double scale, int view);
 
 // The most expensive one of the front that is cheaper than the chosen one and not enough; NULL when there is

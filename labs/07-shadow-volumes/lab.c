@@ -1,5 +1,5 @@
 // Lab 07: shadow volumes. Count in the stencil buffer how many volumes of shadow each visible point lies in.
-#include "casters.h"
+#include "caster_volumes.h"
 #include "frame_view.h"
 #include "lab.h"
 

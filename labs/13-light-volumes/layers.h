@@ -1,7 +1,7 @@
 // Given: a texture with a layer for each caster.
 #pragma once
 
-#include "casters.h"
+#include "caster_volumes.h"
 #include "lab.h"
 #include "target.h"
 

@@ -46,23 +46,25 @@ static void make_several(Scene *scene, Random *random) {
 
 // Boxes and balls all around a place, also above and below it.
 static void add_around(Scene *scene, Random *random, vec3s middle) {
-    static const float places[][3] = {{1, -0.1f, 0.2f},  {-1, 0.1f, -0.2f}, {0.2f, 1, -0.3f},
-                                      {-0.1f, -1, 0.2f}, {0.3f, 0, 1},      {-0.2f, -0.1f, -1}};
+    static const float places[][3] = {{1, -0.1f, 0.2f},     {-1, 0.1f, -0.2f}, {0.2f, 1, -0.3f},
+                                      {-0.1f, -1.1f, 0.2f}, {0.3f, 0, 1},      {-0.3f, -0.1f, -1.7f}};
     for (int i = 0; i < 6; i++) {
         vec3s aside = vec3_make(places[i][0], places[i][1], places[i][2]);
         float r = random_range(random, 0.15f, 0.3f), away = random_range(random, 0.8f, 1.1f);
+        r *= i == 2 ? 2 : 1; // nothing else is above the lamp
         part_object(scene, random_int(random, 0, 1) ? SHAPE_BOX : SHAPE_SPHERE,
                     glms_vec3_add(middle, glms_vec3_scale(aside, away)), vec3_make(r, r, r),
                     random_range(random, 0, 90), part_color(random));
     }
 }
 
-// Low over the floor around the place: nearer to their shadows than to the lamp.
+// Low over the floor, nearer to their shadows than to the lamp: on both sides, and under it.
 static void add_low(Scene *scene, Random *random, vec3s middle) {
-    float turn = random_range(random, 0, 360);
-    for (int i = 0; i < 3; i++) {
-        float r = random_range(random, 0.15f, 0.25f);
-        vec3s place = part_orbit(middle, turn + 120 * (float)i, 0, random_range(random, 1, 1.6f));
+    static const float azimuths[] = {90, 270, 40, -40};
+    for (int i = 0; i < 4; i++) {
+        float r = random_range(random, 0.15f, 0.25f),
+              away = random_range(random, 0.8f, 1) * (i < 2 ? 2.3f : 0.8f);
+        vec3s place = part_orbit(middle, azimuths[i] + random_range(random, -15, 15), 0, away);
         part_object(scene, random_int(random, 0, 1) ? SHAPE_BOX : SHAPE_SPHERE,
                     vec3_make(place.x, r + random_range(random, 0.05f, 0.15f), place.z), vec3_make(r, r, r),
                     random_range(random, 0, 90), part_color(random));
@@ -135,13 +137,14 @@ static void make_wide(Scene *scene, Random *random) {
     add_wide(scene, random);
 }
 
-// A wide light that is not the first one: its maps begin later.
+// A wide light in the middle of the list: its maps begin later, and those after it later still.
 static void make_mixed(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 6, random);
     add_floating(scene, random);
     add_lights(scene, random, 1);
     add_wide(scene, random);
+    add_lights(scene, random, 1);
 }
 
 const SceneMaker LAB_TABLE[] = {

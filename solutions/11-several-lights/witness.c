@@ -219,9 +219,28 @@ static void test_penumbra(void **unused) {
     }
 }
 
+// Four wide lights cannot have 8 x 8 lamps each in 64 layers: they get as many as fit, 4 x 4.
+static void test_too_many(void **unused) {
+    (void)unused;
+    Setup setup = plates_before_wall();
+    for (int i = 0; i < SCENE_MAX_LIGHTS; i++) {
+        add_light(&setup, LIGHT_SPOT, vec3_make(2 * (float)i - 3, 0.3f, 5), vec3_make(0, 0, 0));
+        setup.lights[i].extent = 0.3f;
+    }
+    const Scene scene = make_scene(&setup);
+    Image pictures[5];
+    for (int n = 4; n <= 8; n++) {
+        const WitnessKnob knobs[] = {{"lamps", (float)n}, {"map size", 64}};
+        pictures[n - 4] = witness_draw(LAB_ID, &scene, "visibility", SIZE, SIZE, knobs, 2);
+        assert_memory_equal(pictures[0].rgba, pictures[n - 4].rgba, image_bytes(&pictures[0]));
+    }
+    for (int n = 4; n <= 8; n++)
+        image_destroy(&pictures[n - 4]);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_several), cmocka_unit_test(test_cube),
-                                       cmocka_unit_test(test_depth), cmocka_unit_test(test_sum),
-                                       cmocka_unit_test(test_penumbra)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_several),  cmocka_unit_test(test_cube),
+                                       cmocka_unit_test(test_depth),    cmocka_unit_test(test_sum),
+                                       cmocka_unit_test(test_penumbra), cmocka_unit_test(test_too_many)};
     return cmocka_run_group_tests_name("witness " LAB_ID, tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@ await behaves(browser, url, 'the chart', (page) => page.waitForFunction(() => do
 const page = await open(browser, url);
 const points = page.locator('[role=option]');
 const title = () => page.locator('h3').first().innerText();
-const named = async (point) => (await point.getAttribute('aria-label')).split(', lab ')[0];
+const named = async (point) => (await point.getAttribute('aria-label')).split(/, (?:no )?lab/)[0];
 const count = await points.count();
 check('the table holds each point', (await page.locator('tbody tr').count()) > count && count > 10, `${count} points`);
 
@@ -40,7 +40,7 @@ const exact = await tinted();
 check('false shadow is blue', dark.blue > 1000 && exact.blue + exact.yellow < dark.blue / 10, `${JSON.stringify(dark)} ${JSON.stringify(exact)}`);
 
 // By keyboard, from the start: Tab reaches the one point that is selected, the arrows move on.
-await page.locator('#shade').focus();
+await page.locator('#figure').focus();
 await page.keyboard.press('Tab');
 const focused = () => page.evaluate(() => document.activeElement.getAttribute('aria-label'));
 const selected = await page.locator('[aria-selected=true]').getAttribute('aria-label');
@@ -59,6 +59,19 @@ const before = await title(), label = await focused();
 await page.locator('#shade').check();
 const after = await page.locator('[aria-selected=true]').getAttribute('aria-label');
 check('the other time is shown for the same setting', (await title()) === before && after !== label, `${label} ${after}`);
+
+// Another figure of error: the marks move, the same setting stays selected.
+const height = async () => page.locator('[aria-selected=true] .halo').getAttribute('cy');
+const high = await height();
+await page.locator('#figure').selectOption('flip');
+check('another figure moves the marks', (await title()) === before && (await height()) !== high, `${high} ${await height()}`);
+
+// No mark hides another one.
+const hidden = await page.evaluate(() => {
+    const marks = [...document.querySelectorAll('.point .halo')].map((halo) => [halo.cx.baseVal.value, halo.cy.baseVal.value]);
+    return marks.filter(([x, y], i) => marks.some(([u, v], j) => j < i && Math.hypot(x - u, y - v) < 8)).length;
+});
+check('no mark hides another one', hidden === 0, `${hidden} do`);
 check('nothing went wrong', page.misdeeds.length === 0, page.misdeeds.join('\n    '));
 await browser.close();
 finish();

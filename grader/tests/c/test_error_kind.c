@@ -3,6 +3,7 @@
 
 #include "score/score.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -157,6 +158,76 @@ static void test_random_numbers(void **unused) {
     image_destroy(&reference);
 }
 
+// A round dark spot with an edge that is `soft` pixels wide, in steps of `step` pixels.
+static void spot(Image *image, double soft, int step) {
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            const double u = x / step * step + step / 2.0 - SIZE / 2,
+                         v = y / step * step + step / 2.0 - SIZE / 2;
+            const double lit = fmin(fmax((sqrt(u * u + v * v) - 26) / soft + 0.5, 0), 1);
+            memset(image->rgba + 4 * (y * SIZE + x), (int)(DARK + lit * (LIGHT - DARK) + 0.5), 3);
+        }
+}
+
+static void expect_edge(double soft, int step, double right_soft, ErrorView view, const char *kind) {
+    Image yours = picture(), reference = picture();
+    char text[300];
+    spot(&yours, soft, step);
+    spot(&reference, right_soft, 1);
+    error_kind(text, sizeof text, &yours, &reference, view);
+    if (strncmp(text, kind, strlen(kind)) != 0)
+        fail_msg("expected \"%s\", got \"%s\"", kind, text);
+    image_destroy(&yours);
+    image_destroy(&reference);
+}
+
+static void test_edges_of_other_softness(void **unused) {
+    (void)unused;
+    expect_edge(8, 1, 0.5, ERROR_VIEW_VISIBILITY, "blurred");
+    expect_edge(16, 1, 6, ERROR_VIEW_VISIBILITY, "wider penumbra");
+    expect_edge(6, 1, 16, ERROR_VIEW_VISIBILITY, "narrower penumbra");
+    expect_edge(0.5, 1, 10, ERROR_VIEW_SHADED, "narrower penumbra");
+    expect_edge(0.5, 6, 0.5, ERROR_VIEW_VISIBILITY, "too coarse or too fine");
+    expect_edge(16, 1, 6, ERROR_VIEW_VALUES, "blurred");
+    expect_edge(6, 1, 16, ERROR_VIEW_VALUES, "too sharp, or in blocks");
+}
+
+// A spot that grows, and one that moves, are no matter of softness.
+static void test_other_edges(void **unused) {
+    (void)unused;
+    Image yours = picture(), reference = picture();
+    char text[300];
+    spot(&reference, 6, 1);
+    square(&yours, 0, 0, SIZE, LIGHT);
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            const double lit = fmin(fmax((hypot(x - SIZE / 2, y - SIZE / 2) - 32) / 6 + 0.5, 0), 1);
+            memset(yours.rgba + 4 * (y * SIZE + x), (int)(DARK + lit * (LIGHT - DARK) + 0.5), 3);
+        }
+    error_kind(text, sizeof text, &yours, &reference, ERROR_VIEW_VISIBILITY);
+    assert_memory_equal(text, "false shadow", strlen("false shadow"));
+    image_destroy(&yours);
+    image_destroy(&reference);
+}
+
+// Lit everywhere or dark everywhere, of many causes; a shadow that lies elsewhere is something else.
+static void test_lost_edges(void **unused) {
+    (void)unused;
+    Image yours = picture(), reference = picture(), without = picture();
+    square(&without, 0, 0, SIZE, LIGHT);
+    square(&yours, 0, 0, SIZE, LIGHT);
+    assert_true(error_kind_lost_edges(&yours, &reference, &without));
+    square(&yours, 0, 0, SIZE, DARK);
+    assert_true(error_kind_lost_edges(&yours, &reference, &without));
+    square(&yours, 0, 0, SIZE, LIGHT);
+    square(&yours, 20, 20, 16, DARK);
+    assert_false(error_kind_lost_edges(&yours, &reference, &without));
+    assert_false(error_kind_lost_edges(&yours, &without, &without)); // no shadow is wanted
+    image_destroy(&yours);
+    image_destroy(&reference);
+    image_destroy(&without);
+}
+
 // No word of shadows or ambient light where the view has none.
 static void test_words_fit_the_view(void **unused) {
     (void)unused;
@@ -180,6 +251,9 @@ int main(void) {
                                        cmocka_unit_test(test_ambient),
                                        cmocka_unit_test(test_whole_kinds),
                                        cmocka_unit_test(test_random_numbers),
+                                       cmocka_unit_test(test_edges_of_other_softness),
+                                       cmocka_unit_test(test_other_edges),
+                                       cmocka_unit_test(test_lost_edges),
                                        cmocka_unit_test(test_words_fit_the_view)};
     return cmocka_run_group_tests_name("error kind", tests, NULL, NULL);
 }

@@ -35,6 +35,15 @@ refused asm-label 03 "lab.c uses shadow_map_create, which is given from lab 04 o
 edit rays 03 lab.c "$(before 'bool ray_hits(const Scene *, vec3s, vec3s, float);'); $(in_create 'ray_hits(frame->scene, vec3_make(0, 0, 0), vec3_make(0, 1, 0), 1);')"
 refused rays 03 "lab.c uses ray_hits, which is given from lab 08 on"
 
+# Lab 09 has to write what lab 07 was given.
+edit silhouettes 09 lab.c "$(before '#include "scene/silhouette.h"')"
+refused silhouettes 09 'error: #error "scene/silhouette.h is given from lab 10 on'
+edit volumes 09 lab.c "$(before 'void casters_draw_volumes(const Frame *);'); s|^static void draw_light(const Frame \*frame) {|&\n    casters_draw_volumes(frame);|"
+refused volumes 09 "lab.c uses casters_draw_volumes, which is given from lab 10 on"
+edit volumes-later 10 lab.c "$(before '#include "scene/silhouette.h"'); $(in_create 'silhouette_destroy(\&(Volume){0});')"
+grades --lab 10 --seed 1 "$work/volumes-later"
+expect "silhouettes after lab 09" 0 "100.00 of 100 points"
+
 edit include-glsl 03 shadow.frag 's|^#include "lighting.glsl"|&\n#include "shadow_map.glsl"|'
 refused include-glsl 03 "shadow_map.glsl:1:" "shadow_map.glsl is given from lab 04 on"
 

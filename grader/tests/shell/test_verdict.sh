@@ -31,4 +31,15 @@ grades --lab 03 --seed 1 --format json "$single"
 [[ $status == 1 && $(field 'r["score"] >= 95') == True && $(field 'r["labs"][0]["status"]') == failed ]] &&
     ok || bad "a lab with a failed check is not passed, whatever the points" "$(field 'r["score"], [(c["name"], c["score"]) for c in r["labs"][0]["checks"]]')"
 
+# What is right in the first frame only: the light's matrix is made once and kept.
+kept=$(solved kept 03)
+sed -i 's/^static mat4s light_clip_from_world(const Light \*light) {/&\n    static mat4s kept;\n    if (kept.m33 != 0 || kept.m23 != 0)\n        return kept;/
+    s/^    return \(glms_mat4_mul(clip_from_light, light_from_world)\);/    return kept = \1;/' "$kept"/03-*/lab.c
+for search in "" --no-swap; do
+    grades --lab 03 --seed 1 --trusted $search "$kept"
+    expect "only the first frame is right, $search" 1 "it is right in the first frame, and wrong when another was drawn before"
+done
+grades --lab 03 --seed 1 --trusted "$single"
+[[ $out != *"first frame"* ]] && ok || bad "wrong in each frame" "$out"
+
 finish
