@@ -156,7 +156,7 @@ static void draw_front(ChartPicture *chart) {
 }
 
 // A line where the frame without shadows lies: what a method takes beyond it is the price of its shadow.
-static void draw_bare(Chart *chart) {
+static void draw_bare(ChartPicture *chart) {
     const LayoutPoint *at = chart->points;
     for (int i = 0; i < chart->findings->count; i++)
         if (at[i].drawn && strcmp(chart->findings->findings[i].method.family, METHOD_BARE) == 0)
