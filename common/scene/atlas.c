@@ -36,6 +36,10 @@ static bool add_charts(Atlas *atlas, const Scene *scene, int o, float texels_per
     const Object *object = &scene->objects[o];
     if (object->shape != SHAPE_PLANE && object->shape != SHAPE_BOX)
         return true;
+    if (!(glms_mat4_det(object->world_from_object) > 0))
+        return check_fail("object %d is mirrored or flat, so that its faces have no outside: give it scales "
+                          "above 0",
+                          o);
     if (!mesh_create(&mesh, (Shape)object->shape))
         return false;
     for (int first = 0; first < mesh.vertex_count; first += 4) {

@@ -28,7 +28,8 @@ typedef struct Atlas {
 
 // Gives each face of the scene's planes and boxes (of no other shapes) a chart of so many
 // texels per world unit, at least one, with `padding` texels on all sides. All texels are set to 1. `atlas`
-// is zeroed or was laid out before.
+// is zeroed or was laid out before. False with a message for an atlas that is too large, and for a plane or a
+// box that is mirrored or flat.
 bool atlas_layout(Atlas *atlas, const Scene *scene, float texels_per_unit, int padding);
 // Instead of what was baked, gives each texel a value in [0, 1) by its column and row in the atlas.
 void atlas_number_texels(Atlas *atlas);

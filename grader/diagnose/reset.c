@@ -96,7 +96,7 @@ static void try_untouched(ResetSearch *search) {
 }
 
 static void try_part(ResetSearch *search, int p) {
-    const Part *part = &search->parts->list[p];
+    const LabPart *part = &search->parts->list[p];
     MixedFile *file = &search->lab.files[part->file];
     const MixedFile before = *file;
     search->now = p;

@@ -155,6 +155,14 @@ static void draw_front(Chart *chart) {
     }
 }
 
+// A line where the frame without shadows lies: what a method takes beyond it is the price of its shadow.
+static void draw_bare(Chart *chart) {
+    const LayoutPoint *at = chart->points;
+    for (int i = 0; i < chart->findings->count; i++)
+        if (at[i].drawn && strcmp(chart->findings->findings[i].method.family, METHOD_BARE) == 0)
+            svg_line(&chart->svg, at[i].x, plot.top, at[i].x, plot.bottom, "#777777", 1.2, "1 3");
+}
+
 // The curve to a point, its bars, and, where its mark stands aside, the way there.
 static void draw_strokes(Chart *chart, int i) {
     const LayoutPoint *at = &chart->points[i];
@@ -263,6 +271,7 @@ static void draw(Chart *chart) {
     draw_axes(chart);
     draw_front(chart);
     draw_baselines(chart);
+    draw_bare(chart);
     for (int i = 0; i < findings->count; i++)
         if (chart->points[i].drawn)
             draw_strokes(chart, i);

@@ -26,7 +26,9 @@ vec3 light() {
 vec3 test_pattern() {
     ivec2 luxel = ivec2(gl_FragCoord.xy);
     if (u_pattern == 2)
-        return vec3((5 * luxel.x + 3 * luxel.y) % 16, (3 * luxel.x + 7 * luxel.y) % 16, 8) / 16.0;
+        return vec3((5 * luxel.x + 3 * luxel.y) % 16, (3 * luxel.x + 7 * luxel.y) % 16,
+                    (7 * luxel.x + 5 * luxel.y) % 16) /
+               16.0;
     return 0.5 + 0.5 * sin(vec3(3, 2, 4) * v_position_world.x + vec3(4, 5, 3) * v_position_world.y +
                            vec3(5, 4, 2) * v_position_world.z);
 }

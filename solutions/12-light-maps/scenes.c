@@ -71,27 +71,48 @@ static void make_blocks(Scene *scene, Random *random) {
     light_above(scene, random, any_kind(random), true, random_range(random, 6, 9));
 }
 
-// Faces that look to all sides, the light anywhere.
-static void make_faces(Scene *scene, Random *random) {
+// Faces that look to all sides.
+static void add_faces(Scene *scene, Random *random, bool front) {
     part_begin(scene, random);
     tilt(part_floor(scene, random_range(random, 1.8f, 2.6f), random), random_range(random, -15, 15),
          random_range(random, -15, 15));
     add_boxes(scene, random, 2, 0.4f, 0.9f);
     tilt(&scene->objects[1], random_range(random, -40, 40), random_range(random, -40, 40));
-    light_above(scene, random, any_kind(random), random_int(random, 0, 1), random_range(random, 2.5f, 4));
+    light_above(scene, random, any_kind(random), front, random_range(random, 2.5f, 4));
 }
 
-// Things between the light and the floor, beyond the lamp, and under the floor.
-static void make_casters(Scene *scene, Random *random) {
+static void make_faces(Scene *scene, Random *random) {
+    add_faces(scene, random, random_int(random, 0, 1));
+}
+
+// The light behind them: what one sees of the boxes looks away from it.
+static void make_backlit(Scene *scene, Random *random) {
+    add_faces(scene, random, false);
+}
+
+// Things between the light and the floor, under the floor, and beyond the place of the light: there they are
+// in the way of a sun only.
+static void add_casters(Scene *scene, Random *random, LightKind kind) {
     part_begin(scene, random);
     tilt(part_floor(scene, random_range(random, 1.8f, 2.2f), random), random_range(random, -8, 8),
          random_range(random, -8, 8));
     add_boxes(scene, random, 2, 0.3f, 0.9f);
-    LightKind kind = any_kind(random);
     Light *light = light_above(scene, random, kind, random_int(random, 0, 1), random_range(random, 4, 5));
-    if (kind != LIGHT_DIRECTIONAL)
-        add_box(scene, random, glms_vec3_scale(light->position, random_range(random, 1.3f, 1.4f)), 0.9f);
+    vec3s beyond = glms_vec3_lerp(light->target, light->position, random_range(random, 1.25f, 1.4f));
+    add_box(scene, random, beyond, kind == LIGHT_DIRECTIONAL ? 0.4f : 0.9f);
     add_box(scene, random, vec3_make(random_range(random, -0.6f, 0.6f), -1.2f, 0), 0.5f);
+}
+
+static void make_spot(Scene *scene, Random *random) {
+    add_casters(scene, random, LIGHT_SPOT);
+}
+
+static void make_sun(Scene *scene, Random *random) {
+    add_casters(scene, random, LIGHT_DIRECTIONAL);
+}
+
+static void make_point(Scene *scene, Random *random) {
+    add_casters(scene, random, LIGHT_POINT);
 }
 
 static void make_wide(Scene *scene, Random *random) {
@@ -150,7 +171,8 @@ static void make_far(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"luxel blocks", make_blocks}, {"luxel faces", make_faces},   {"luxel casters", make_casters},
+    {"luxel blocks", make_blocks}, {"luxel faces", make_faces},   {"luxel backlit", make_backlit},
+    {"luxel spot", make_spot},     {"luxel sun", make_sun},       {"luxel point", make_point},
     {"luxel wide", make_wide},     {"luxel mapped", make_mapped}, {"luxel balls", make_balls},
     {"luxel near", make_near},     {"luxel far", make_far},       {0},
 };

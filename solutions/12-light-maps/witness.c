@@ -1,12 +1,14 @@
 // Lab 12's luxels and pictures against closed forms: the light of a lamp, the solid angle of a rectangle,
 // segments cut by hand, the shadow of a ball.
 #include "scene/atlas.h"
+#include "scene/check.h"
 #include "scene/count.h"
 #include "tests/helpers/witness.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <string.h>
 
 #include <cmocka.h>
 
@@ -274,9 +276,23 @@ static void test_ball(void **unused) {
     image_destroy(&image);
 }
 
+// A mirrored object's charts would look inwards.
+static void test_mirrored(void **unused) {
+    (void)unused;
+    for (int i = 0; i < 2; i++) {
+        Scene scene = lit_wall(1, LIGHT_POINT, lamp, 1);
+        Atlas atlas = {0};
+        closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 1), vec3_make(i ? 0 : -0.3f, 0.3f, 0.3f), 20);
+        assert_false(atlas_layout(&atlas, &scene, 4, 1));
+        assert_non_null(strstr(check_message(), "object 1 is mirrored or flat"));
+        atlas_destroy(&atlas);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_irradiance), cmocka_unit_test(test_sun),
                                        cmocka_unit_test(test_plates),     cmocka_unit_test(test_penumbra),
-                                       cmocka_unit_test(test_picture),    cmocka_unit_test(test_ball)};
+                                       cmocka_unit_test(test_picture),    cmocka_unit_test(test_ball),
+                                       cmocka_unit_test(test_mirrored)};
     return cmocka_run_group_tests_name("witness " LAB_ID, tests, NULL, NULL);
 }

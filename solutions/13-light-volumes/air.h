@@ -35,8 +35,20 @@ static void draw_over_all(const Frame *frame, const Program *program) {
     draw_fullscreen(program);
 }
 
+// Does this lab know what is in the scene? False with a message.
+static bool air_check(const Scene *scene) {
+    if (scene->lights[0].kind == LIGHT_POINT)
+        return check_fail("lab 13 knows spot lights and suns; this scene has a point light");
+    for (int i = 0; i < scene->object_count; i++)
+        if (glms_mat4_det(scene->objects[i].world_from_object) <= 0)
+            return check_fail("object %d of the scene is mirrored or flat: its shadow volume has no inside",
+                              i);
+    return true;
+}
+
 static void air_draw_map(const Frame *frame, const Program *program, const ShadowMap *map) {
     const Light *light = &frame->scene->lights[0];
+    air_check(frame->scene);
     shadow_map_begin(map);
     draw_scene(frame, program, shadow_map_clip_from_world(light), light->position);
 }

@@ -172,7 +172,8 @@ static void make_overlap(Scene *scene, Random *random) {
     vec3s aim = light->kind == LIGHT_DIRECTIONAL ? light->target : vec3_make(0, 0.3f, 0);
     vec3s toward = glms_vec3_normalize(glms_vec3_sub(light->position, aim));
     for (int i = 0; i < 4; i++) {
-        float r = random_range(random, 0.4f, 0.6f), back = (float)(i / 2);
+        int pair = i / 2;
+        float r = random_range(random, 0.4f, 0.6f), back = (float)pair;
         vec3s center = glms_vec3_add(aim, glms_vec3_scale(toward, 1 + (float)(i % 2) + 0.8f * back));
         center.x += random_range(random, -0.4f, 0.4f);
         center.z += random_range(random, 0.8f, 1.2f) - 2.4f * back;

@@ -265,9 +265,26 @@ static void test_jitter(void **unused) {
     image_destroy(&image);
 }
 
+static void test_refusals(void **unused) {
+    (void)unused;
+    Setup setup = sun_and_plate();
+    Scene scene = make_scene(&setup);
+    scene.objects[1].world_from_object.raw[0][0] *= -1;
+    witness_refuses(LAB_ID, &scene, "object 1 of the scene is mirrored or flat");
+    setup.kind = LIGHT_POINT;
+    scene = make_scene(&setup);
+    witness_refuses(LAB_ID, &scene, "point light");
+    setup = sun_and_plate();
+    scene = make_scene(&setup);
+    for (int i = 1; i < 9; i++)
+        closed_add(&scene, SHAPE_BOX, vec3_make(0, (float)i, 0), vec3_make(0.1f, 0.1f, 0.1f), 0);
+    witness_refuses(LAB_ID, &scene, "8 boxes and spheres at most");
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_media),   cmocka_unit_test(test_lamps),
-                                       cmocka_unit_test(test_overlap), cmocka_unit_test(test_eye_inside),
-                                       cmocka_unit_test(test_march),   cmocka_unit_test(test_jitter)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_media),    cmocka_unit_test(test_lamps),
+                                       cmocka_unit_test(test_overlap),  cmocka_unit_test(test_eye_inside),
+                                       cmocka_unit_test(test_refusals), cmocka_unit_test(test_march),
+                                       cmocka_unit_test(test_jitter)};
     return cmocka_run_group_tests_name("witness " LAB_ID, tests, NULL, NULL);
 }

@@ -214,8 +214,8 @@ static void assert_text(const char *name, const char *text) {
 }
 
 static void test_opens_archives(void **route) {
-    static const char *const good[] = {"good.zip",     "stored.zip",  "good.tar.gz",
-                                       "good.tar.bz2", "good.tar.xz", "good.tar"};
+    static const char *const good[] = {"good.zip",    "stored.zip", "good.tar.gz", "good.tar.bz2",
+                                       "good.tar.xz", "good.tar",   "twice.zip"};
     (void)route;
     NEEDS_ROUTE();
     for (unsigned i = 0; i < COUNT(good); i++) {
@@ -227,6 +227,15 @@ static void test_opens_archives(void **route) {
     }
 }
 
+// A link that no lab needs is passed over: the folder of its name is ours.
+static void test_follows_no_link(void **route) {
+    (void)route;
+    NEEDS_ROUTE();
+    assert_int_equal(extract("through-link.zip"), EXTRACT_OK);
+    assert_text("a/shadow-lab-hostile.c", "int a;\n");
+    assert_false(files_exists("/tmp/shadow-lab-hostile.c"));
+}
+
 static void test_refuses_archives(void **route) {
     static const struct {
         const char *name, *words;
@@ -236,10 +245,8 @@ static void test_refuses_archives(void **route) {
         {"absolute.zip", "a path that leads out of it"},
         {"dot.zip", "no plain name"},
         {"control.zip", "no plain name"},
-        {"twice.zip", "holds \"lab.c\" twice"},
         {"file-and-folder.zip", "\"lab.c/lab.c\" cannot be made"},
         {"symlink.zip", "\"lab.c\" is a link or a device"},
-        {"through-link.zip", "\"a\" is a link or a device"},
         {"symlink.tar.gz", "\"lab.c\" is a link or a device"},
         {"hardlink.tar.gz", "\"lab.c\" is a link or a device"},
         {"fifo.tar.gz", "\"lab.c\" is a link or a device"},
@@ -247,11 +254,11 @@ static void test_refuses_archives(void **route) {
         {"large-file.zip", "more than 16 MiB in one file"},
         {"large-sum.zip", "64 MiB in all"},
         {"many.zip", "more than 4000 files"},
-        {"text.zip", "it is neither a .zip nor a .tar archive"},
+        {"text.zip", "it is no .zip, .tar, .7z or .rar archive"},
         {"empty.zip", ""},
         {"cut.zip", ""},
         {"flipped.zip", "CRC"},
-        {"messages.zip", "\"the archive cannot be read: No space left on device\" is a link or a device"}};
+        {"messages.zip", "\"the archive cannot be read: No space left on device.c\" is a link or a device"}};
     (void)route;
     NEEDS_ROUTE();
     for (unsigned i = 0; i < COUNT(bad); i++) {
@@ -289,10 +296,10 @@ static int remove_archives(void **unused) {
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
     const struct CMUnitTest tests[] = {
-        ON(test_some_route_holds, JAIL_NONE), ON_BOTH(test_intact),         ON_BOTH(test_shows_too_much),
-        ON_BOTH(test_without_filter),         ON_BOTH(test_without_limits), ON_BOTH(test_without_landlock),
-        ON_BOTH(test_without_shim),           ON_BOTH(test_sees_itself),    ON_BOTH(test_leaves_nobody),
-        ON_BOTH(test_killed_at_once),         ON_BOTH(test_tells_signals),  ON_BOTH(test_opens_archives),
-        ON_BOTH(test_refuses_archives)};
+        ON(test_some_route_holds, JAIL_NONE), ON_BOTH(test_intact),          ON_BOTH(test_shows_too_much),
+        ON_BOTH(test_without_filter),         ON_BOTH(test_without_limits),  ON_BOTH(test_without_landlock),
+        ON_BOTH(test_without_shim),           ON_BOTH(test_sees_itself),     ON_BOTH(test_leaves_nobody),
+        ON_BOTH(test_killed_at_once),         ON_BOTH(test_tells_signals),   ON_BOTH(test_opens_archives),
+        ON_BOTH(test_follows_no_link),        ON_BOTH(test_refuses_archives)};
     return cmocka_run_group_tests(tests, make_archives, remove_archives);
 }

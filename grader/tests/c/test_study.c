@@ -290,7 +290,7 @@ static void write_table(const char *path, double first_ms, double second_ms, boo
     for (int i = 0; i < 2; i++)
         fprintf(file,
                 "edges,05,ours,\"linear\",\"a, map "
-                "%d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,0,0,0,0,0,0,0,6,1,1,0,0,%d,1,0\n",
+                "%d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,0,0,0,0,0,0,0,6,1,1,0,0,0,0,%d,1,0\n",
                 i, i ? second_ms : first_ms, i ? front : 1);
     fclose(file);
 }

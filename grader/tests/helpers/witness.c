@@ -14,15 +14,25 @@
 #include "scene/check.h"
 #include "compile/rubric_file.h"
 
-Image witness_draw(const char *id, const Scene *scene, const char *view, int width, int height,
-                   const WitnessKnob *knobs, int knob_count) {
+// Draws, and returns what the solution says of it: "" when all is well.
+static const char *draw(const char *id, Request *request, Image *image) {
     char folder[FILES_PATH];
     Rubric rubric;
-    Image image = {0};
     static Reply reply;
-    static Request request;
     assert_true(places_find_lab(folder, id) && rubric_load(&rubric, folder));
     Painters painters = {.rubric = &rubric};
+    const Painter *solution = painters_get(&painters, (Solved){SOLVED_ALL, NULL}, NULL);
+    assert_non_null(solution);
+    assert_true(painters_draw(&painters, solution, request, image, &reply));
+    painters_destroy(&painters);
+    rubric_destroy(&rubric);
+    return reply.message;
+}
+
+Image witness_draw(const char *id, const Scene *scene, const char *view, int width, int height,
+                   const WitnessKnob *knobs, int knob_count) {
+    Image image = {0};
+    static Request request;
     request = (Request){.magic = PROTOCOL_MAGIC, .width = width, .height = height, .knob_count = knob_count};
     request.scene = *scene;
     snprintf(request.view, sizeof request.view, "%s", view);
@@ -30,11 +40,15 @@ Image witness_draw(const char *id, const Scene *scene, const char *view, int wid
         snprintf(request.knobs[i].name, sizeof request.knobs[i].name, "%s", knobs[i].name);
         request.knobs[i].value = knobs[i].value;
     }
-    const Painter *solution = painters_get(&painters, (Solved){SOLVED_ALL, NULL}, NULL);
-    assert_non_null(solution);
-    assert_true(painters_draw(&painters, solution, &request, &image, &reply));
-    assert_string_equal(reply.message, "");
-    painters_destroy(&painters);
-    rubric_destroy(&rubric);
+    assert_string_equal(draw(id, &request, &image), "");
     return image;
+}
+
+void witness_refuses(const char *id, const Scene *scene, const char *words) {
+    Image image = {0};
+    static Request request;
+    request = (Request){.magic = PROTOCOL_MAGIC, .width = 64, .height = 48, .scene = *scene};
+    snprintf(request.view, sizeof request.view, "%s", VIEW_PICTURE);
+    assert_non_null(strstr(draw(id, &request, &image), words));
+    image_destroy(&image);
 }

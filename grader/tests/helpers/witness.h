@@ -4,6 +4,10 @@
 #include "exam/exam.h"
 #include "truth/closed_scenes.h"
 
+// Lets the solution of lab `id` draw its picture of `scene`. Fails the test unless it says why it cannot,
+// with these words in its message.
+void witness_refuses(const char *id, const Scene *scene, const char *words);
+
 // Draws `scene` with the solution of lab `id`: `view` is "picture", "visibility" or a stage. Knobs: pairs of
 // a name and a value, NULL for none. Fails the test when nothing is drawn. The caller destroys the image.
 typedef struct WitnessKnob {

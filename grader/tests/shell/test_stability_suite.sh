@@ -79,6 +79,8 @@ faulty 23 07 "the far caps are wound like the near ones"
 faulty 24 07 "the volumes have a fixed length"
 faulty 28 08 "directions are uniform, not cosine-weighted"
 faulty 29 08 "the length of the rays is not limited"
+faulty 31 12 "half a luxel is subtracted in the lookup"
+faulty 1201 12 "what moves is baked, too"
 [[ $(json 'rows[0]["status"]') == fail ]] && ok || bad "the JSON says so"
 
 # What a user can get wrong.
