@@ -11,6 +11,11 @@ SCRIPTS := grader/scripts
 
 build: programs ## build everything (default)
 
+# Where there are no solutions, as in the kit for students, the targets with ### are not.
+TEACHERS := $(if $(wildcard solutions),,$(shell sed -nE 's/^([a-z_.-]+):.*### .*/\1/p' Makefile))
+ABSENT := $(filter $(TEACHERS),$(MAKECMDGOALS))
+$(if $(ABSENT),$(error make $(ABSENT) is not in this kit; make help lists what is))
+
 include grader/build.mk
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
@@ -22,7 +27,7 @@ watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress:
 progress: $(BUILD)/watch ## how far am I in all labs?
 	@$(BUILD)/watch --list
 
-demo: build ## grade the labs as shipped, then the solutions
+demo: build ### grade the labs as shipped, then the solutions
 	$(BUILD)/grade labs || true
 	$(BUILD)/grade solutions
 
@@ -38,73 +43,76 @@ trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame 
 reset: $(filter $(BUILD)/skeletons,$(PROGRAMS)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@$(SCRIPTS)/reset $(LAB_OPERAND)
 
+hand-in: ## pack what you hand in: make hand-in [LAB=03]
+	@$(SCRIPTS)/hand_in $(LAB_OPERAND)
+
 site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: build/site/index.html (needs common/setup --check)
 	@command -v cmark-gfm >/dev/null || { echo "cmark-gfm is missing; it comes with: common/setup --check" >&2; exit 1; }
 	@node grader/site/build.mjs $(BUILD)/site
 
-skeletons: build ## make labs/ from solutions/
+skeletons: build ### make labs/ from solutions/
 	@$(BUILD)/skeletons labs
 
-new-lab: ## begin a new lab from a template: make new-lab LAB=09 NAME="soft shadows"
+new-lab: ### begin a new lab from a template: make new-lab LAB=09 NAME="soft shadows"
 	@mkdir -p $(BUILD)
 	@$(SCRIPTS)/new_lab $(BUILD) "$$LAB" "$$NAME" # from the environment, as they are
 
-pictures: build ## draw the pictures of the handouts: make pictures [LAB=03]
+pictures: build ### draw the pictures of the handouts: make pictures [LAB=03]
 	@$(SCRIPTS)/pictures $(LAB_OPERAND)
 
-contexts: build ## do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
+contexts: build ### do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
 	@$(SCRIPTS)/contexts $(BUILD) $(LAB_OPERAND)
 
-table: build ## measure the scenes, prove the rubrics, try all mutants, and put the tables into grader/proof/
+table: build ### measure the scenes, prove the rubrics, try all mutants, and put the tables into grader/proof/
 	@$(SCRIPTS)/table
 
-mutants: build ## does each rubric notice every small change of its solution? make mutants [LAB=03] [ARGS="--seeds 3"]
+mutants: build ### does each rubric notice every small change of its solution? make mutants [LAB=03] [ARGS="--seeds 3"]
 	$(BUILD)/mutants $(LAB_OPTION) $(ARGS)
 
-test: build tests ## run all tests
+test: build tests ### run all tests
 	@grader/tests/run $(BUILD)
 
-test-hostile: build hostile-programs ## attacks on the grader, by both routes into the jail (part of test)
+test-hostile: build hostile-programs ### attacks on the grader, by both routes into the jail (part of test)
 	@BUILD=$(BUILD) grader/tests/shell/test_hostile.sh
 
-sanitize: ## the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
+sanitize: ### the tests under AddressSanitizer and UBSan, but for the proofs of rubrics and gates
 	@$(MAKE) --no-print-directory BUILD=build-sanitize CFLAGS="-O1 -g" \
 		SANITIZE="-fsanitize=address,undefined -fno-sanitize-recover=undefined" QUICK=1 test
 
-check: build ## the gates: labs/ is up to date, formats, task ids, floors, sizes
+check: build ### the gates: labs/ is up to date, formats, task ids, floors, sizes
 	@$(SCRIPTS)/gates $(BUILD)
 
-stability: build $(BUILD)/stability ## where each method breaks: all rows, and build/study/stability.html
+stability: build $(BUILD)/stability ### where each method breaks: all rows, and build/study/stability.html
 	@$(BUILD)/stability $(ARGS)
 
-bench: build $(BUILD)/bench_truth ## where the time goes: grading one lab, and the truth's rays
+bench: build $(BUILD)/bench_truth ### where the time goes: grading one lab, and the truth's rays
 	@$(SCRIPTS)/bench $(BUILD)
 
-bench-class: build ## labs a minute of a class run, cold and known shaders, and how it grows: ARGS="--labs 05 --counts 50,800"
+bench-class: build ### labs a minute of a class run, cold and known shaders, and how it grows: ARGS="--labs 05 --counts 50,800"
 	@$(SCRIPTS)/bench_class $(BUILD) $(ARGS)
 
 HAS_STUDY := $(wildcard grader/study)
-study: $(if $(HAS_STUDY),build $(BUILD)/chart) ## chart speed against error: make study [LAB=05 [SUBMISSION=labs]] [ARGS=--quick]
+study: $(if $(HAS_STUDY),build $(BUILD)/chart) ### chart speed against error: make study [LAB=05 [SUBMISSION=labs]] [ARGS=--quick]
 	$(if $(HAS_STUDY),$(BUILD)/chart $(LAB_OPTION) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) \
 		$(ARGS),@echo "make study measures the solutions; they are not in this kit: ask your course" >&2; exit 2)
 
-chart: build $(BUILD)/chart ## measure the study again and put its chart and its findings into README.md
+chart: build $(BUILD)/chart ### measure the study again and put its chart and its findings into README.md
 	@$(SCRIPTS)/publish_chart $(BUILD) $(ARGS)
 
-compile_commands.json: ## for editors and clang-tidy (needs bear)
+compile_commands.json: ### for editors and clang-tidy (needs bear)
 	bear -- $(MAKE) -B build
 
-kit: build ## pack the kit for students, without solutions: build/shadow-lab-kit.tar.gz [LAB=03: can grade only that]
+kit: build ### pack the kit for students, without solutions: build/shadow-lab-kit.tar.gz [LAB=03: can grade only that]
 	@$(SCRIPTS)/make_kit $(BUILD) $(LAB_OPERAND)
 
-gradescope: ## pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]
+gradescope: ### pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]
 	@$(SCRIPTS)/make_gradescope $(BUILD) $(LAB_OPERAND)
 
 clean: ## remove what was built
 	rm -rf $(BUILD)
 
 help: ## list the targets
-	@grep -hE '^[a-z_.-]+:.*## ' Makefile | sed -E 's/^([a-z_.-]+):.*## /\1\t/' | expand -t 24
+	@grep -hE '^[a-z_.-]+:.* ##$(if $(wildcard solutions),#?) ' Makefile | sed -E 's/^([a-z_.-]+):.*## /\1\t/' | expand -t 24
 
 # No file is made under these names.
 .PHONY: $(filter-out compile_commands.json,$(shell grep -oE '^[a-z-]+:' Makefile | tr -d :)) compile_commands.json

@@ -43,9 +43,8 @@ void remark_call(const char *name) {
 
 void remark_idle_uniform(const char *name) {
     char line[200] = "";
-    check_append(
-        line, sizeof line,
-        "the uniform %.60s is set, but has no effect: is something else in its place, like a number?", name);
+    check_append(line, sizeof line,
+                 "the uniform %.60s is set, but has no effect: what stands in its place, a number?", name);
     add(line);
 }
 

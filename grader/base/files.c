@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/temporary.h"
+#include "base/text_check.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -110,7 +111,11 @@ static char *read_untrusted(const char *folder, const char *name, size_t limit, 
 
 char *files_read_untrusted(const char *folder, const char *name, size_t limit) {
     size_t size;
-    return read_untrusted(folder, name, limit, &size);
+    char *text = read_untrusted(folder, name, limit, &size);
+    if (text && text_check(text, size, name))
+        return text;
+    free(text);
+    return NULL;
 }
 
 bool files_take(const char *folder, const char *name, const char *path, size_t limit) {
@@ -250,6 +255,15 @@ bool files_make_folder(const char *path) {
 static int remove_entry(const char *path, const struct stat *info, int kind, struct FTW *position) {
     (void)info, (void)kind, (void)position;
     return remove(path);
+}
+
+static int remove_inner(const char *path, const struct stat *info, int kind, struct FTW *position) {
+    (void)info, (void)kind;
+    return position->level > 0 ? remove(path) : 0;
+}
+
+void files_empty(const char *path) {
+    nftw(path, remove_inner, 16, FTW_DEPTH | FTW_PHYS);
 }
 
 void files_remove(const char *path) {

@@ -12,8 +12,9 @@ char *files_read(const char *path, size_t limit);
 // The same for a file that may hold any bytes: `size` of them, with a 0 behind.
 char *files_read_bytes(const char *path, size_t limit, size_t *size);
 
-// The same for a file handed in: `name` must be a regular file in `folder` itself, not reached
-// by a link or a mount, and without another name (a hard link). The folder may not be a link either.
+// The same for a file of text that was handed in (see text_check): `name` must be a regular file in `folder`
+// itself, not reached by a link or a mount, and without another name (a hard link). The folder may not be a
+// link either.
 char *files_read_untrusted(const char *folder, const char *name, size_t limit);
 
 // Is it a folder, and not a link to one?
@@ -51,7 +52,10 @@ bool files_make_temporary(char path[FILES_PATH]);
 // Makes a folder and its parents.
 bool files_make_folder(const char *path);
 
-// Removes a folder that was made here, with all it holds.
+// Removes all that a folder holds, which was made here.
+void files_empty(const char *path);
+
+// Removes such a folder, with all it holds.
 void files_remove(const char *path);
 
 // The folder that a path's file lies in, "./" where the path names none; ends with a slash.

@@ -3,11 +3,11 @@
 #include "base/process.h"
 
 #include "base/memory.h"
+#include "base/process_child.h"
 #include "scene/check.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <grp.h>
 #include <math.h>
 #include <poll.h>
 #include <signal.h>
@@ -19,64 +19,12 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { REPLY_DESCRIPTOR = 3 };
 static const double LAST_WORDS = 0.3; // seconds
 
 double process_now(void) {
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
-
-static void set_limit(int resource, rlim_t value) {
-    if (value)
-        setrlimit((__rlimit_resource_t)resource, &(struct rlimit){value, value});
-}
-
-static void set_limits(const ProcessLimits *limits) {
-    const rlim_t mib = 1024 * 1024;
-    if (limits->cpu_seconds) // the soft limit says SIGXCPU, the hard one SIGKILL
-        setrlimit(RLIMIT_CPU, &(struct rlimit){limits->cpu_seconds, limits->cpu_seconds + 1});
-    set_limit(RLIMIT_AS, limits->memory_mib * mib);
-    set_limit(RLIMIT_FSIZE, limits->file_mib * mib);
-    setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
-}
-
-// A session of its own, so that nobody in it leads a group that we do not know; death with us; another user.
-static void leave_us(const ProcessLimits *limits, pid_t parent) {
-    bool ok = setsid() > 0;
-    if (limits->user)
-        ok = ok && setgroups(0, NULL) == 0 && setgid(limits->user) == 0 && setuid(limits->user) == 0;
-    if (ok && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0 && getppid() == parent)
-        return;
-    dprintf(STDERR_FILENO, "a process cannot leave the grader's session or user: %s\n", strerror(errno));
-    _exit(127);
-}
-
-static _Noreturn void run_child(const int *ends, char *const *arguments, char *const *environment,
-                                const char *folder, const ProcessLimits *limits, pid_t parent) {
-    // Above the descriptors that we are about to lay, so that none is overwritten before its turn.
-    int input = fcntl(ends[0], F_DUPFD, 10), output = fcntl(ends[1], F_DUPFD, 10);
-    int replies = fcntl(ends[2], F_DUPFD, 10);
-    dup2(input, STDIN_FILENO);
-    dup2(output, STDOUT_FILENO);
-    dup2(output, STDERR_FILENO);
-    dup2(replies, REPLY_DESCRIPTOR);
-    close_range(REPLY_DESCRIPTOR + 1, ~0u, 0);
-    signal(SIGXCPU,
-           limits->untrusted ? SIG_IGN : SIG_DFL); // see hear_last_words: not for what wraps the program
-    if (limits->untrusted)
-        leave_us(limits, parent);
-    else if (setpgid(0, 0) != 0 || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0)
-        _exit(127);
-    if (chdir(folder) != 0) {
-        dprintf(STDERR_FILENO, "%s cannot be entered: %s\n", folder, strerror(errno));
-        _exit(127);
-    }
-    set_limits(limits);
-    execvpe(arguments[0], arguments, environment);
-    dprintf(STDERR_FILENO, "%s cannot be started: %s\n", arguments[0], strerror(errno));
-    _exit(127);
 }
 
 static bool make_pipes(int pipes[3][2]) {
@@ -102,7 +50,7 @@ bool process_start(Process *process, char *const *arguments, char *const *enviro
     pid_t parent = getpid();
     process->pid = fork();
     if (process->pid == 0)
-        run_child(theirs, arguments, environment, folder, limits, parent);
+        process_child_run(theirs, arguments, environment, folder, limits, parent);
     for (int i = 0; i < 3; i++)
         close(theirs[i]);
     process->input = pipes[INPUT][1];
@@ -232,10 +180,19 @@ static void reap(Process *process) {
     kill_all(process);
 }
 
+// It lives, but its pipes fail on our side.
+static void give_up(Process *process) {
+    kill_all(process);
+    process->state = PROCESS_DEAF;
+}
+
+// False when it has closed its input.
 static bool send_some(Process *process, const char *request, size_t size, size_t *sent) {
     ssize_t n = write(process->input, request + *sent, size - *sent);
-    if (n < 0 && errno != EAGAIN && errno != EINTR)
+    if (n < 0 && errno == EPIPE)
         return false;
+    if (n < 0 && errno != EAGAIN && errno != EINTR)
+        give_up(process);
     *sent += n > 0 ? (size_t)n : 0;
     return true;
 }
@@ -255,14 +212,17 @@ bool process_exchange(Process *process, const void *request, size_t request_size
             break;
         if (events[0].revents) {
             ssize_t n = read(process->replies, (char *)reply + taken, reply_size - taken);
-            if (n <= 0)
+            if (n < 0 && errno != EINTR)
+                give_up(process);
+            if (n == 0)
                 break;
-            taken += (size_t)n;
+            taken += n > 0 ? (size_t)n : 0;
         }
     }
     if (taken == reply_size)
         return true;
-    reap(process);
+    if (process->state != PROCESS_DEAF)
+        reap(process);
     return false;
 }
 

@@ -2,6 +2,8 @@
 // long.
 #pragma once
 
+#include "base/process_limits.h"
+
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,21 +14,13 @@
 
 enum { PROCESS_OUTPUT = 64 * 1024, PROCESS_FLOOD = 4 * 1024 * 1024 };
 
-typedef struct ProcessLimits {
-    double wall_seconds;                        // for the whole life of the process
-    unsigned cpu_seconds, memory_mib, file_mib; // 0: no limit
-    unsigned resident_mib; // memory that it and its group may hold, watched by us every PROCESS_MEMORY_SLICE
-                           // seconds: for what RLIMIT_AS cannot limit; 0: no limit
-    bool untrusted; // no terminal, and dies with us; none of its descendants may found a session or a group
-    unsigned user;  // uid and gid of untrusted code; 0: ours
-} ProcessLimits;
-
 typedef enum ProcessState {
     PROCESS_RUNNING,
     PROCESS_ENDED,     // exited or died: see status
     PROCESS_TIMED_OUT, // killed: the wall time was over
     PROCESS_TOO_LARGE, // killed: it held more than resident_mib, or that cannot be seen
-    PROCESS_FLOODED    // killed: it printed more than PROCESS_FLOOD bytes
+    PROCESS_FLOODED,   // killed: it printed more than PROCESS_FLOOD bytes
+    PROCESS_DEAF       // killed: what it replies cannot be read, which is not its fault
 } ProcessState;
 
 typedef struct Process {

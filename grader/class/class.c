@@ -12,7 +12,6 @@
 #include "class/submission_record.h"
 #include "base/progress_bar.h"
 #include "class/roster.h"
-#include "intake/archive.h"
 #include "class/run_folder.h"
 
 #include <stdlib.h>
@@ -33,22 +32,6 @@ typedef struct Class {
     int not_graded; // of this run
 } Class;
 
-// Grades the folder of one submission, or what its archive holds.
-static bool grade_folder(Class *class, const RosterEntry *entry, Report *report) {
-    char path[FILES_PATH], inside[FILES_PATH];
-    files_join(path, class->roster.folder, entry->name);
-    if (!entry->archive)
-        return session_grade(&class->session, path, report);
-    if (!files_make_temporary(inside))
-        return false;
-    Extracted unpacked = archive_unpack(&class->jail, path, inside);
-    bool ok = unpacked == EXTRACT_OK ? session_grade(&class->session, inside, report)
-                                     : unpacked == EXTRACT_BAD_ARCHIVE &&
-                                           session_refuse(&class->session, check_message(), report);
-    files_remove(inside);
-    return ok;
-}
-
 // A submission that could not be drawn is to blame only if the jail still holds whoever is in it.
 static bool is_to_blame(const Class *class, const Report *report) {
     bool broken = false;
@@ -59,10 +42,16 @@ static bool is_to_blame(const Class *class, const Report *report) {
 }
 
 static bool grade_entry(Class *class, const RosterEntry *entry, Report *report) {
+    char path[FILES_PATH];
+    bool made;
     if (!class->ready)
         class->ready = run_settings_session(&class->plan, &class->jail, &class->session);
-    return class->ready && grade_folder(class, entry, report) && is_to_blame(class, report) &&
-           submission_record_write(class->settings->output, entry, report);
+    bool ok = class->ready && roster_fetch(&class->roster, entry, path, &made) &&
+              session_grade(&class->session, path, report) && is_to_blame(class, report) &&
+              submission_record_write(class->settings->output, entry, report);
+    if (class->ready && made)
+        files_remove(path);
+    return ok;
 }
 
 static void work(Outcome *outcome, void *context) {
@@ -161,9 +150,7 @@ static void print_list(const Roster *roster) {
 
 static void note_ignored(const Roster *roster) {
     for (int i = 0; i < roster->ignored_count; i++)
-        fprintf(stderr,
-                "grade: ignored: \"%s\" is neither a folder nor an archive (.zip, .tar.gz), or hidden\n",
-                roster->ignored[i]);
+        fprintf(stderr, "grade: ignored: \"%s\" %s\n", roster->ignored[i].name, roster->ignored[i].why);
 }
 
 static bool grade_in_jail(Class *class) {
@@ -204,7 +191,7 @@ bool class_run(const ClassSettings *settings) {
     static Class class;
     class.settings = settings;
     class.plan.lock = -1;
-    bool ok = roster_read(&class.roster, settings->folder);
+    bool ok = roster_read(&class.roster, settings->folder, settings->output, settings->all_attempts);
     if (ok && settings->list) {
         print_list(&class.roster);
     } else if (ok && grade_class(&class)) {

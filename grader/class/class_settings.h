@@ -19,9 +19,10 @@ typedef struct ClassSettings {
     JailRoute route;     // the only one to take; JAIL_NONE: any
     const char **only;   // names of submissions: grades these (again) and gathers nothing; NULL: all
     int only_count;
-    int jobs;     // submissions at a time; 0: one a processor
-    bool resume;  // go on with the run in `output`
-    bool gather;  // grade nothing, make the tables of the results
-    bool no_swap; // do not exchange parts of submissions to find the fault; of a run that begins
-    bool list;    // only print the names of the results
+    int jobs;          // submissions at a time; 0: one a processor
+    bool resume;       // go on with the run in `output`
+    bool gather;       // grade nothing, make the tables of the results
+    bool no_swap;      // do not exchange parts of submissions to find the fault; of a run that begins
+    bool all_attempts; // each attempt is graded, not only a student's newest
+    bool list;         // only print the names of the results
 } ClassSettings;

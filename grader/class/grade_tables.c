@@ -19,11 +19,22 @@ static bool is_dangerous(const char *text) {
     return false;
 }
 
+// The first line of the text.
 static void write_name(FILE *out, const char *text) {
     fputs(is_dangerous(text) ? "\"'" : "\"", out);
-    for (; *text; text++)
+    for (; *text && *text != '\n'; text++)
         fputs(*text == '"' ? "\"\"" : (char[2]){*text, '\0'}, out);
     fputc('"', out);
+}
+
+// Why there is no grade, or the first thing that kept a lab from being drawn.
+static const char *reason(const Table *table, int i) {
+    if (!table_is_graded(table, i))
+        return table_reason(table, i);
+    for (int n = 0; n < table->plan->lab_count; n++)
+        if (table_text(table_lab(table, i, n), "message")[0])
+            return table_text(table_lab(table, i, n), "message");
+    return "";
 }
 
 static void write_row(FILE *out, const Table *table, int i) {
@@ -35,9 +46,15 @@ static void write_row(FILE *out, const Table *table, int i) {
         else
             fputc(',', out);
     if (graded)
-        fprintf(out, ",%.2f,%s\n", table_total(table, i), table_status(table, i));
+        fprintf(out, ",%.2f,%s,", table_total(table, i), table_status(table, i));
     else
-        fprintf(out, ",,%s\n", table_status(table, i));
+        fprintf(out, ",,%s,", table_status(table, i));
+    write_name(out, table->roster->entries[i].student);
+    fputc(',', out);
+    write_name(out, table->roster->entries[i].id);
+    fputs(table->roster->entries[i].late ? ",late," : ",,", out);
+    write_name(out, reason(table, i));
+    fputc('\n', out);
 }
 
 static bool write_csv(const char *output, const Table *table) {
@@ -48,7 +65,7 @@ static bool write_csv(const char *output, const Table *table) {
     fputs("submission", out);
     for (int n = 0; n < table->plan->lab_count; n++)
         fprintf(out, ",lab %s", table->plan->labs[n]);
-    fputs(",total,status\n", out);
+    fputs(",total,status,student,id,late,reason\n", out);
     for (int i = 0; i < table->roster->count; i++)
         write_row(out, table, i);
     bool whole = fclose(out) == 0;

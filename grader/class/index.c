@@ -193,12 +193,11 @@ static void write_looks(Page *page, const Table *table) {
     write_look_table(page, table);
     if (table->roster->ignored_count == 0)
         return;
-    fputs("<p>Ignored in the class's folder, because they are neither folders nor archives, or "
-          "hidden:</p>\n<ul>\n",
-          page->out);
+    fputs("<p>Ignored in the class's folder:</p>\n<ul>\n", page->out);
     for (int i = 0; i < table->roster->ignored_count; i++) {
         fputs("<li>", page->out);
-        page_text(page, table->roster->ignored[i]);
+        page_text(page, table->roster->ignored[i].name);
+        fprintf(page->out, " <span class=\"quiet\">%s</span>", table->roster->ignored[i].why);
         fputs("</li>\n", page->out);
     }
     fputs("</ul>\n", page->out);

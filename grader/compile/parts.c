@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void add(Parts *parts, Part part) {
+static void add(Parts *parts, LabPart part) {
     if (parts->count < EXAM_MAX_PARTS)
         parts->list[parts->count++] = part;
 }
@@ -33,8 +33,8 @@ void parts_list(Parts *parts, const Rubric *rubric, char *const texts[]) {
         functions_split(handed, texts[i]);
         for (int k = 0; k < handed->count && !handed->whole; k++)
             if (functions_find(handed, handed->list[k].name) == &handed->list[k])
-                add(parts, (Part){.file = i, .function = handed->list[k].name});
-        add(parts, (Part){.file = i, .function = "", .whole = handed->whole || has_task_outside(handed)});
+                add(parts, (LabPart){.file = i, .function = handed->list[k].name});
+        add(parts, (LabPart){.file = i, .function = "", .whole = handed->whole || has_task_outside(handed)});
     }
 }
 
@@ -45,7 +45,7 @@ void parts_destroy(Parts *parts) {
 }
 
 bool parts_have_task(const Parts *parts, int p, const char *task) {
-    const Part *part = &parts->list[p];
+    const LabPart *part = &parts->list[p];
     const Functions *handed = &parts->handed[part->file];
     char mark[32];
     snprintf(mark, sizeof mark, "TODO(%s)", task);
@@ -56,7 +56,7 @@ bool parts_have_task(const Parts *parts, int p, const char *task) {
 }
 
 bool parts_same(const Parts *parts, int p, const Functions *version) {
-    const Part *part = &parts->list[p];
+    const LabPart *part = &parts->list[p];
     const Functions *handed = &parts->handed[part->file];
     if (part->whole)
         return strcmp(version->text, handed->text) == 0;
@@ -73,7 +73,7 @@ char *parts_reset(const Parts *parts, int file, const Functions *version, int p,
     Choice choice = {0};
     for (int i = 0; i < 2; i++) {
         const int number = i == 0 ? p : q;
-        const Part *part = number >= 0 ? &parts->list[number] : NULL;
+        const LabPart *part = number >= 0 ? &parts->list[number] : NULL;
         if (!part || part->file != file)
             continue;
         if (part->whole)

@@ -7,17 +7,17 @@
 #include "compile/functions.h"
 #include "compile/rubric.h"
 
-typedef struct Part {
+typedef struct LabPart {
     int file;             // of rubric->files
     const char *function; // its name; "": what stands outside of functions
     bool whole;           // all of the file, where tasks are to be done outside of functions
-} Part;
+} LabPart;
 
 typedef struct Parts {
     const Rubric *rubric;
     char *texts[RUBRIC_MAX_FILES];      // as they were handed out; owned
     Functions handed[RUBRIC_MAX_FILES]; // of them
-    Part list[EXAM_MAX_PARTS];          // in the order of the files and the functions in them
+    LabPart list[EXAM_MAX_PARTS];       // in the order of the files and the functions in them
     int count;
 } Parts;
 

@@ -10,6 +10,7 @@
 #include "exam/exam_matrix.h"
 #include "scene/check.h"
 #include "score/error_kind.h"
+#include "score/whole_kind.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -89,6 +90,36 @@ static void know_all(Known *known, const Diagnosis *this) {
         known->among[t] = !this->open.open[t];
 }
 
+// Did all checks about the task pass?
+static bool is_acquitted(const Diagnosis *this, int t) {
+    int own = 0, passed = 0;
+    for (int c = 0; c < this->result->check_count; c++)
+        if (rubric_task_index(this->exam->rubric, this->result->checks[c].check->task) == t) {
+            own++;
+            passed += this->result->checks[c].passed;
+        }
+    return own > 0 && passed == own;
+}
+
+// Random numbers are given, so that no task holds them. When the tasks of the part with the fault are right,
+// and only the noise is another, the check tells whose task needs those numbers.
+static void suspect_noise(Diagnosis *this) {
+    const Rubric *rubric = this->exam->rubric;
+    for (int i = 0; i < this->suspects.count; i++)
+        if (!is_acquitted(this, this->suspects.tasks[i]))
+            return;
+    for (int c = 0; c < this->result->check_count; c++) {
+        const CheckResult *check = &this->result->checks[c];
+        const int own = rubric_task_index(rubric, check->check->task);
+        const Image *yours = &check->yours[check->worst];
+        if (this->failed[c] && own >= 0 && yours->rgba && !check->wrong_size &&
+            average_kind(yours, &this->exam->variants[c][check->worst].reference)) {
+            this->suspects = (Suspects){.tasks = {own}, .count = 1};
+            return;
+        }
+    }
+}
+
 static bool find_by_swap(Diagnosis *this, const WorkerClient *student) {
     Known known = {0};
     LabResult *result = this->result;
@@ -99,7 +130,11 @@ static bool find_by_swap(Diagnosis *this, const WorkerClient *student) {
         know_fault(&known, &result->fault, this->exam->rubric);
     else
         know_all(&known, this);
-    return find_suspects(this, &known);
+    if (!find_suspects(this, &known))
+        return false;
+    if (known.placed)
+        suspect_noise(this);
+    return true;
 }
 
 static bool find_by_reset(Diagnosis *this, const WorkerClient *student, ResetFound *found) {

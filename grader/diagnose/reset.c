@@ -13,7 +13,7 @@
 
 // What a search may cost, in seconds of a usual machine: counted and not measured, so that the same
 // submission gets the same answer. The clock ends it where the machine is much slower.
-static const double BUDGET = 2.5, COST_OF_C = 0.16, COST_OF_SHADERS = 0.08, COST_OF_FRAME = 0.006, CLOCK = 20;
+static const double BUDGET = 3, COST_OF_C = 0.16, COST_OF_SHADERS = 0.08, COST_OF_FRAME = 0.006, CLOCK = 45;
 
 // Of the pixels that are wrong in the submission: so many may differ yet.
 static const double REST = 0.05;
@@ -37,10 +37,9 @@ typedef struct ResetSearch {
 
 static bool is_like(const ResetSearch *search, int p, int c, const Image *picture, const FrameFacts *facts) {
     const CheckResult *check = &search->lab.result->checks[c];
-    const int n = check->worst;
-    const LatePicture *late = &search->exam->resets[p][c][n];
-    const Variant *variant = &search->exam->variants[c][n];
-    const double wrong = (double)score_count(&check->yours[n], &variant->reference);
+    const LatePicture *late = &search->exam->resets[p][c][check->worst];
+    const Variant *variant = &search->exam->variants[c][check->worst];
+    const double wrong = (double)score_count(&check->yours[check->worst], &variant->reference);
     return !frame_wrong_size(facts, &late->facts) && facts->refused == late->facts.refused &&
            (double)score_count(picture, exam_shown(late, variant)) <= REST * wrong;
 }
@@ -96,7 +95,7 @@ static void try_untouched(ResetSearch *search) {
 }
 
 static void try_part(ResetSearch *search, int p) {
-    const Part *part = &search->parts->list[p];
+    const LabPart *part = &search->parts->list[p];
     MixedFile *file = &search->lab.files[part->file];
     const MixedFile before = *file;
     search->now = p;
@@ -186,6 +185,11 @@ static void find_pair(ResetFound *found, const ResetSearch *search) {
         found->parts[first] = found->parts[second] = found->any = true;
 }
 
+// Ours has all tasks done: where the student's has not, another picture acquits nothing.
+static bool any_open(const OpenTasks *tasks) {
+    return memchr(tasks->open, true, sizeof tasks->open) != NULL;
+}
+
 static void find_candidates(ResetFound *found, ResetSearch *search) {
     bool proved = false;
     for (int p = 0; p < search->parts->count; p++)
@@ -198,7 +202,8 @@ static void find_candidates(ResetFound *found, ResetSearch *search) {
         }
     for (int p = 0; p < search->parts->count; p++) {
         found->any = found->any || found->parts[p];
-        found->unknown[p] = !proved && !search->trials[p].tried && may_have_fault(search, p);
+        const bool acquitted = search->trials[p].tried && !any_open(search->open);
+        found->unknown[p] = !proved && !acquitted && !found->parts[p] && may_have_fault(search, p);
     }
 }
 
@@ -216,7 +221,7 @@ static int count_chances(const ResetFound *found, ResetSearch *search, int p) {
 
 static void know_tasks(ResetFound *found, ResetSearch *search) {
     const Rubric *rubric = search->parts->rubric;
-    found->known.placed = found->any;
+    found->known.placed = found->any && !any_open(search->open);
     for (int t = 0; t < rubric->hint_count; t++) {
         int fewest = RUBRIC_MAX_CHECKS;
         for (int p = 0; p < search->parts->count; p++) {
@@ -236,7 +241,7 @@ void reset_part(FaultPart *part, const Parts *parts, int p) {
     int count = 0;
     *part = (FaultPart){.file = rubric->files[parts->list[p].file], .whole = parts->list[p].whole};
     snprintf(part->function, sizeof part->function, "%s", parts->list[p].function);
-    snprintf(part->ours, sizeof part->ours, "%s", parts->list[p].function);
+    memcpy(part->ours, part->function, sizeof part->ours);
     for (int t = 0; t < rubric->hint_count && count < FAULT_TASKS; t++)
         if (parts_have_task(parts, p, rubric->hints[t].task))
             part->tasks[count++] = rubric->hints[t].task;

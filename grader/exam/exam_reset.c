@@ -1,3 +1,5 @@
+// Draws our lab with a part as it was handed out, and with two of them, when first asked for; as JSON what
+// hides what.
 #include "exam/exam_reset.h"
 
 #include "exam/handed_out.h"

@@ -24,7 +24,8 @@ typedef struct GradeOptions {
 typedef struct LabExam {
     Rubric rubric;
     Painters painters;
-    Exam *exam; // NULL until it is first needed
+    Exam *exam;   // NULL until it is first needed
+    bool control; // the solution has come out of the jail as it must: see grade/control.h
 } LabExam;
 
 // Reads the rubric of the lab "03". False with a message.

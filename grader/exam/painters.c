@@ -1,3 +1,4 @@
+// Builds each version of our lab when it is first asked for, and draws it with the one worker of them all.
 #include "exam/painters.h"
 
 #include "scene/check.h"

@@ -86,7 +86,9 @@ bool worker_client_start(WorkerClient *client) {
         plan.limits.memory_mib = 0;
         plan.limits.resident_mib = MEMORY_MIB;
     }
+    client->greeted = false;
     client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
+    client->fault = !client->started;
     return client->started;
 }
 
@@ -171,17 +173,45 @@ static void note_crash(WorkerClient *client, const Request *request) {
     }
 }
 
+static bool is_ready(WorkerClient *client, Reply *reply) {
+    if (!client->started && !worker_client_start(client))
+        return false;
+    client->greeted = client->greeted || (process_exchange(&client->process, NULL, 0, reply, sizeof *reply) &&
+                                          reply->magic == PROTOCOL_MAGIC && reply->drawn);
+    return client->greeted;
+}
+
+static DrawResult explain_fault(WorkerClient *client, void *payload, size_t size, Reply *reply) {
+    char why[600];
+    clean_reply(reply);
+    snprintf(why, sizeof why, "%.590s",
+             reply->message[0]                     ? reply->message
+             : client->process.text[0]             ? client->process.text
+             : !client->started                    ? check_message()
+             : used_up_its_time(client)            ? "it takes too long"
+             : WIFSIGNALED(client->process.status) ? strsignal(WTERMSIG(client->process.status))
+                                                   : "it says nothing");
+    memset(payload, 0, size);
+    client->fault = true;
+    snprintf(reply->message, sizeof reply->message, "no process that draws can be started or heard: %s", why);
+    return DRAW_FAULT;
+}
+
 // The reply and exactly `size` bytes of payload; zeroes when they do not come.
 static DrawResult exchange(WorkerClient *client, const Request *request, void *payload, size_t size,
                            Reply *reply) {
     memset(reply, 0, sizeof *reply);
     Process *process = &client->process;
-    bool ok = (client->started || worker_client_start(client)) &&
-              process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
+    if (!is_ready(client, reply))
+        return explain_fault(client, payload, size, reply);
+    memset(reply, 0, sizeof *reply);
+    bool ok = process_exchange(process, request, sizeof *request, reply, sizeof *reply) &&
               process_exchange(process, NULL, 0, payload, size);
     if (!ok && reply->magic != PROTOCOL_CRASHED && !process_take_rest(process, reply, sizeof *reply))
         memset(reply, 0, sizeof *reply);
     clean_reply(reply);
+    if (!ok && process->state == PROCESS_DEAF)
+        return explain_fault(client, payload, size, reply);
     if (!ok) {
         memset(payload, 0, size);
         note_crash(client, request);
@@ -236,5 +266,5 @@ bool worker_client_restart(WorkerClient *client) {
 void worker_client_stop(WorkerClient *client) {
     if (client->started)
         process_stop(&client->process);
-    client->started = false;
+    client->started = client->greeted = client->fault = false;
 }

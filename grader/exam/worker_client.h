@@ -33,6 +33,8 @@ typedef struct WorkerClient {
                     // window
     bool address;   // lab.so is compiled with AddressSanitizer, which says on standard error what it finds
     bool started;
+    bool greeted;        // it has said that it is ready
+    bool fault;          // the machine or we are to blame: no worker could be started. Until it is stopped
     bool has_crash;      // by SEGV, ABRT or BUS
     Request crash;       // the first for which it did
     int restarts;        // by worker_client_restart
@@ -41,10 +43,11 @@ typedef struct WorkerClient {
 } WorkerClient;
 
 typedef enum DrawResult {
-    DRAW_OK,     // the picture is there
-    DRAW_FAILED, // the lab said why not: reply->message
-    DRAW_LOST,   // the process is gone: reply->message says how
-    DRAW_TIMEOUT // the same, because it used up its time
+    DRAW_OK,      // the picture is there
+    DRAW_FAILED,  // the lab said why not: reply->message
+    DRAW_LOST,    // the process is gone: reply->message says how
+    DRAW_TIMEOUT, // the same, because it used up its time
+    DRAW_FAULT    // no worker was there to draw it, before anything of the lab ran: reply->message says why
 } DrawResult;
 
 // Draws one frame; starts the worker first when it does not run. A lost worker stays lost. `image` is created

@@ -3,48 +3,19 @@
 #include "grade/grade_lab.h"
 
 #include "grade/address.h"
+#include "grade/control.h"
 #include "scene/check.h"
 #include "base/statistics.h"
-#include "compile/lab_folder.h"
-#include "compile/todo.h"
 #include "diagnose/diagnose.h"
-#include "exam/handed_out.h"
 #include "diagnose/evidence.h"
 #include "grade/remarks.h"
 #include "grade/score_check.h"
+#include "grade/take_submission.h"
+#include "grade/lab_verdict.h"
 #include "score/score.h"
 
 #include <stdio.h>
 #include <string.h>
-
-static void add_warning(LabResult *result, const char *text) {
-    char clean[RESULT_TEXT];
-    result_clean(clean, sizeof clean, text);
-    if (!strstr(result->warnings, clean))
-        check_append(result->warnings, sizeof result->warnings, "%s%s", result->warnings[0] ? "\n" : "",
-                     clean);
-}
-
-void grade_begin(LabResult *result, const Rubric *rubric) {
-    memset(result, 0, sizeof *result);
-    memcpy(result->id, rubric->id, sizeof result->id);
-    snprintf(result->name, sizeof result->name, "%s", rubric->title);
-    result->max_score = rubric_points(rubric);
-    result->check_count = rubric->check_count;
-    for (int c = 0; c < rubric->check_count; c++)
-        result->checks[c] = (CheckResult){.check = &rubric->checks[c], .error = 1};
-}
-
-static void fail_lab(LabResult *result, LabStatus status, const char *message) {
-    if (result->message[0])
-        return;
-    result->status = status;
-    result_clean(result->message, sizeof result->message, message);
-}
-
-void grade_refuse(LabResult *result, const char *reason) {
-    fail_lab(result, LAB_ERROR, reason);
-}
 
 typedef struct Ratios {
     double values[RUBRIC_MAX_CHECKS];
@@ -63,7 +34,7 @@ static void note_output(LabResult *result, const char *printed) {
     const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
     check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
     if (length > 0)
-        add_warning(result, text);
+        grade_warn(result, text);
 }
 
 // Draws one frame of the student's.
@@ -75,13 +46,13 @@ static DrawResult draw_one(LabResult *result, WorkerClient *student, const Varia
     if (drawn == DRAW_OK) {
         remarks_take(remarks, reply->remarks);
         if (reply->message[0])
-            add_warning(result, reply->message);
+            grade_warn(result, reply->message);
         if (score_not_finite(yours))
-            add_warning(result, score_not_finite(yours));
+            grade_warn(result, score_not_finite(yours));
         return DRAW_OK;
     }
     image_destroy(yours);
-    fail_lab(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply->message);
+    grade_fail(result, drawn == DRAW_TIMEOUT ? LAB_TIMEOUT : LAB_ERROR, reply->message);
     return drawn;
 }
 
@@ -109,6 +80,8 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
     }
     if (drawn == DRAW_OK || drawn == DRAW_FAILED)
         return true;
+    if (drawn == DRAW_FAULT)
+        return false;
     lose_check(check, drawn, reply.message);
     note_output(result, student->process.text);
     return worker_client_restart(student);
@@ -190,51 +163,12 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
     grade_pictures(result, exam);
     remarks_write(&remarks, text, sizeof text);
     if (result->status == LAB_PASSED && exam->rubric->remarks && text[0])
-        add_warning(result, text);
+        grade_warn(result, text);
 }
 
-typedef struct Ignored {
-    const Rubric *rubric;
-    LabResult *result;
-    int count;
-} Ignored;
-
-static void note_ignored(const char *name, void *context) {
-    Ignored *ignored = context;
-    for (int i = 0; i < ignored->rubric->file_count; i++)
-        if (strcmp(ignored->rubric->files[i], name) == 0)
-            return;
-    if (handed_out_has(ignored->rubric, name) || ++ignored->count > 8)
-        return;
-    char text[400];
-    snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
-    add_warning(ignored->result, text);
-}
-
-// Who has begun an optional task is judged by it, even where the picture is still that of the skeleton.
-static void note_begun(LabResult *result, const Rubric *rubric, const char *folder) {
-    char place[FILES_PATH];
-    for (int c = 0; c < result->check_count; c++)
-        result->checks[c].begun = !todo_find(rubric, folder, rubric->checks[c].task, place, sizeof place);
-}
-
-static bool take_submission(LabResult *result, WorkerClient *student, const Rubric *rubric,
-                            const char *submission) {
-    static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
-    check_clear();
-    Ignored ignored = {rubric, result, 0};
-    bool ok = files_check_folder(submission) && files_list(submission, note_ignored, &ignored) &&
-              lab_folder_submission(student->folder, rubric, submission, student->jail, log);
-    if (!ok) {
-        snprintf(text, sizeof text, "%s%s%s", check_message(), log[0] ? ":\n" : "", log);
-        fail_lab(result, LAB_ERROR, text);
-    } else if (log[0]) {
-        add_warning(result, log);
-    }
-    check_clear();
-    if (ok)
-        note_begun(result, rubric, submission);
-    return ok;
+// Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.
+static bool is_to_blame(const LabResult *result, LabExam *examiner, Exam *exam, const WorkerClient *student) {
+    return result->score > 0 || !exam->painters || control_draws(examiner, exam, student);
 }
 
 static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
@@ -245,6 +179,10 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
         return false;
     worker_client_begin(student);
     grade_frames(result, exam, student, exam->painters && !options->untimed);
+    if (student->fault)
+        return check_fail("%s", check_message()[0] ? check_message() : result->message);
+    if (!is_to_blame(result, examiner, exam, student))
+        return false;
     note_output(result, student->process.text);
     address_explain(result, student, exam->rubric);
     if (options->early && !result_done(result))
@@ -264,8 +202,8 @@ bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, con
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;
-    bool ok = true;
-    if (take_submission(result, &student, &examiner->rubric, submission))
+    bool ok = take_submission(result, &student, &examiner->rubric, submission);
+    if (ok && !result->message[0])
         ok = examine(result, examiner, &student, options);
     worker_client_stop(&student);
     files_remove(student.folder);

@@ -7,12 +7,6 @@
 
 #include <stdbool.h>
 
-// An empty result with the checks of the rubric.
-void grade_begin(LabResult *result, const Rubric *rubric);
-
-// Nothing of the submission could be drawn, for this reason.
-void grade_refuse(LabResult *result, const char *reason);
-
 // Draws the exam's frames with the student's worker and scores them; the frames stay in the result, which
 // grade_begin has prepared. Timed: the solution draws the last frame of each check again, once an exam, to
 // compare their times.

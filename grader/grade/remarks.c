@@ -30,5 +30,5 @@ void remarks_write(const Remarks *remarks, char *text, size_t size) {
     text[0] = '\0';
     for (int i = 0; i < REMARKS_MAX && remarks->lines[i][0]; i++)
         if (remarks->frames[i] == remarks->all)
-            check_append(text, size, "%swithout points: %s", text[0] ? "\n" : "", remarks->lines[i]);
+            check_append(text, size, "%s" REMARK "%s", text[0] ? "\n" : "", remarks->lines[i]);
 }

@@ -3,6 +3,8 @@
 
 #include "diagnose/result.h"
 
+#define REMARK "without points: " // how each line begins
+
 enum { REMARKS_MAX = 8 };
 
 // Zeroed: no frame yet.

@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "base/places.h"
 #include "intake/submission.h"
+#include "grade/lab_verdict.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,29 +48,46 @@ static bool begin_report(Session *session, Report *report) {
 }
 
 static void name_missing(const Submission *submission, const Rubric *rubric, char *text, size_t size) {
-    if (submission->single && !submission->single_id[0])
-        snprintf(text, size, "there is a lab.c, but no folder's name tells of which lab: put it into %s/",
-                 strrchr(rubric->folder, '/') + 1);
+    const char *name = strrchr(rubric->folder, '/') + 1;
+    if (submission_nameless(submission))
+        snprintf(text, size, "there is a lab.c, but nothing tells of which lab: put it into %s/", name);
+    else if (submission->why[0])
+        snprintf(text, size, "not handed in: there is no folder %s, and an archive inside is bad: %s", name,
+                 submission->why);
     else
-        snprintf(text, size, "not handed in: there is no folder %s (a link is none)",
-                 strrchr(rubric->folder, '/') + 1);
+        snprintf(text, size, "not handed in: there is no folder %s (a link is none)", name);
+}
+
+// Where the examiner's lab lies; what is asked for alone needs no name.
+static const char *find_lab(const Session *session, const Submission *submission, const Rubric *rubric,
+                            char *note, size_t size) {
+    const char *found = submission_find(submission, rubric->id, note, size);
+    return found || session->lab_count > 1 ? found : submission_nameless(submission);
+}
+
+// Somebody who hands in one lab, and is not asked for all, is not told of the others.
+static bool is_left_out(const Session *session, const Submission *submission) {
+    return !session->complete && submission->single;
 }
 
 static bool grade_one(Session *session, const Submission *submission, int i, Report *report) {
     LabExam *examiner = &session->examiners[i];
-    char theirs[FILES_PATH], text[400];
-    bool found = submission_find(submission, examiner->rubric.id, theirs), ok = true;
+    char note[RESULT_TEXT], text[800];
+    const char *theirs = find_lab(session, submission, &examiner->rubric, note, sizeof note);
+    bool ok = true;
     check_clear();
-    if (!found && submission->single && !session->complete)
+    if (!theirs && is_left_out(session, submission))
         return true;
     LabResult *result = &report->labs[report->lab_count++];
-    if (found) {
+    if (theirs) {
         ok = grade_lab(result, examiner, theirs, &session->options);
+        grade_warn(result, note);
     } else {
         name_missing(submission, &examiner->rubric, text, sizeof text);
         grade_begin(result, &examiner->rubric);
         grade_refuse(result, text);
     }
+    grade_warn(result, submission->note);
     if (ok && result_was_drawn(result)) // whatever the exam was drawn for before
         memcpy(report->renderer, examiner->exam->renderer, sizeof report->renderer);
     if (!session->keep)
@@ -79,29 +97,30 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
     return ok;
 }
 
-bool session_grade(Session *session, const char *folder, Report *report) {
-    Submission submission;
-    double start = process_now();
-    bool ok = begin_report(session, report) && submission_open(&submission, folder);
-    if (ok && submission.single && session->lab_count == 1)
-        memcpy(submission.single_id, session->examiners[0].rubric.id, sizeof submission.single_id);
-    for (int i = 0; ok && i < session->lab_count; i++)
-        ok = grade_one(session, &submission, i, report);
-    report->seconds = process_now() - start;
-    if (!ok)
-        session_free(report);
-    return ok;
-}
-
-bool session_refuse(Session *session, const char *reason, Report *report) {
-    if (!begin_report(session, report))
-        return false;
+static bool refuse_all(Session *session, const char *reason, Report *report) {
     for (int i = 0; i < session->lab_count; i++) {
         LabResult *result = &report->labs[report->lab_count++];
         grade_begin(result, &session->examiners[i].rubric);
         grade_refuse(result, reason);
     }
     return true;
+}
+
+bool session_grade(Session *session, const char *path, Report *report) {
+    static Submission submission;
+    double start = process_now();
+    if (!begin_report(session, report))
+        return false;
+    const Extracted opened = submission_open(&submission, session->options.jail, path);
+    bool ok = opened == EXTRACT_OK ||
+              (opened == EXTRACT_BAD_ARCHIVE && refuse_all(session, check_message(), report));
+    for (int i = 0; opened == EXTRACT_OK && ok && i < session->lab_count; i++)
+        ok = grade_one(session, &submission, i, report);
+    report->seconds = process_now() - start;
+    submission_close(&submission);
+    if (!ok)
+        session_free(report);
+    return ok;
 }
 
 void session_free(Report *report) {

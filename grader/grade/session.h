@@ -16,13 +16,10 @@ typedef struct Session {
 // Adds the lab "03"; with NULL all labs. False with a message.
 bool session_add(Session *session, const char *id);
 
-// Grades a folder (see submission.h). With one lab, a folder of one lab is graded as that; with several, as
-// the one that its name says. The report must be freed by session_free. False with a message: a fault of
+// Grades a folder or an archive (see submission.h). With one lab, a folder of which nothing tells of which
+// lab it is is graded as that. The report must be freed by session_free. False with a message: a fault of
 // ours, and no report.
-bool session_grade(Session *session, const char *folder, Report *report);
-
-// A report that says of each lab that nothing could be graded, for this reason.
-bool session_refuse(Session *session, const char *reason, Report *report);
+bool session_grade(Session *session, const char *path, Report *report);
 
 void session_free(Report *report);    // accepts a zeroed report
 void session_close(Session *session); // accepts a zeroed session

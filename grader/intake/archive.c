@@ -1,7 +1,25 @@
 #include "intake/archive.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
+
+#include <string.h>
+#include <strings.h>
 #include <sys/statvfs.h>
+
+size_t archive_stem(const char *name) {
+    static const char *const ends[] = {".tar.gz", ".tar.bz2", ".tar.xz", ".tar.zst", ".zip", ".tar", ".tgz",
+                                       ".tbz",    ".tbz2",    ".txz",    ".tzst",    ".7z",  ".rar"};
+    const size_t length = strlen(name);
+    for (size_t i = 0; i < COUNT(ends); i++)
+        if (length > strlen(ends[i]) && strcasecmp(name + length - strlen(ends[i]), ends[i]) == 0)
+            return length - strlen(ends[i]);
+    return length;
+}
+
+bool archive_is_name(const char *name) {
+    return name[archive_stem(name)] != '\0';
+}
 
 // Room for what an archive may hold, and twice as much. Without it a good archive would be refused.
 static bool has_room(const char *folder) {

@@ -18,7 +18,8 @@
 typedef struct Extraction {
     Process process;
     int folder; // descriptor
-    int files;
+    bool ready; // what goes wrong from now on may be the archive's fault
+    int files, folders;
     size_t bytes;
     Extracted result; // of what has failed
 } Extraction;
@@ -75,16 +76,26 @@ static bool is_plain(const char *name) {
     return !start;
 }
 
-static bool make_parents(int folder, const char *name) {
+// False with errno.
+static bool make_parents(Extraction *extraction, const char *name) {
     char path[sizeof((ExtractEntry *)0)->text];
     snprintf(path, sizeof path, "%s", name);
     for (char *slash = strchr(path, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = '\0';
-        if (mkdirat(folder, path, 0755) != 0 && errno != EEXIST)
+        if (mkdirat(extraction->folder, path, 0755) == 0)
+            extraction->folders++;
+        else if (errno != EEXIST)
             return false;
         *slash = '/';
     }
     return true;
+}
+
+static bool is_too_deep(const char *name) {
+    int depth = 0;
+    for (; *name; name++)
+        depth += *name == '/';
+    return depth > EXTRACT_MAX_DEPTH;
 }
 
 // Is it the name that is wrong, and not our disk?
@@ -99,14 +110,16 @@ static bool fail_file(Extraction *extraction, const char *name, int error) {
     return check_fail("\"%s\" of the archive cannot be written: %s", name, strerror(error));
 }
 
-// All below the folder is made by us, and we make no links: so a name cannot lead out of it.
+// All below the folder is made by us, and we make no links: so a name cannot lead out of it. Of a name that
+// comes twice the last counts, as for tar.
 static bool write_file(Extraction *extraction, const char *name, const char *bytes, size_t size) {
-    if (!make_parents(extraction->folder, name))
+    if (!make_parents(extraction, name))
+        return fail_file(extraction, name, errno);
+    if (unlinkat(extraction->folder, name, 0) != 0 && errno != ENOENT)
         return fail_file(extraction, name, errno);
     int file = openat(extraction->folder, name, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
     if (file < 0)
-        return errno == EEXIST ? refuse(extraction, " holds \"%s\" twice", name)
-                               : fail_file(extraction, name, errno);
+        return fail_file(extraction, name, errno);
     ssize_t written = write(file, bytes, size);
     int error = written < 0 ? errno : ENOSPC;
     bool ok = close(file) == 0 && written == (ssize_t)size;
@@ -120,8 +133,11 @@ static bool take_file(Extraction *extraction, const ExtractEntry *entry) {
     if (entry->size > EXTRACT_MAX_FILE || extraction->bytes > EXTRACT_MAX_BYTES)
         return refuse(extraction, " holds more than %d MiB in one file or %d MiB in all",
                       EXTRACT_MAX_FILE >> 20, EXTRACT_MAX_BYTES >> 20);
-    if (++extraction->files > EXTRACT_MAX_FILES)
-        return refuse(extraction, " holds more than %d files", EXTRACT_MAX_FILES);
+    if (++extraction->files > EXTRACT_MAX_FILES || extraction->folders > EXTRACT_MAX_FOLDERS)
+        return refuse(extraction, " holds more than %d files of a lab's kind or %d folders",
+                      EXTRACT_MAX_FILES, EXTRACT_MAX_FOLDERS);
+    if (is_too_deep(entry->text))
+        return refuse(extraction, " holds a file below more than %d folders", EXTRACT_MAX_DEPTH);
     char *bytes = malloc(entry->size + 1);
     bool ok = bytes && (process_exchange(&extraction->process, NULL, 0, bytes, entry->size) ||
                         refuse(extraction, ": the unpacker ended too early"));
@@ -132,12 +148,11 @@ static bool take_file(Extraction *extraction, const ExtractEntry *entry) {
 
 // The unpacker, which a bad archive may have broken, has ended before it told the end.
 static bool explain_break(Extraction *extraction) {
-    enum { NOT_STARTED = 127 };
     const Process *process = &extraction->process;
+    if (!extraction->ready || process->state == PROCESS_DEAF)
+        return check_fail("the unpacker does not start: %.200s", process->text);
     if (process->state == PROCESS_TIMED_OUT)
         return refuse(extraction, " takes too long to unpack");
-    if (extraction->files == 0 && WIFEXITED(process->status) && WEXITSTATUS(process->status) == NOT_STARTED)
-        return check_fail("the unpacker does not start: %.200s", process->text);
     return refuse(extraction, ": the unpacker broke off; is it a bomb? %.200s", process->text);
 }
 
@@ -150,6 +165,10 @@ static bool take_files(Extraction *extraction, const char *block, size_t size) {
         entry.text[sizeof entry.text - 1] = '\0';
         if (entry.kind == EXTRACT_END)
             return true;
+        if (entry.kind == EXTRACT_READY) {
+            extraction->ready = true;
+            continue;
+        }
         if (entry.kind != EXTRACT_FILE)
             return refuse(extraction, ": %.900s", entry.text);
         if (!take_file(extraction, &entry))
@@ -170,7 +189,7 @@ Extracted jail_extract(const Jail *jail, const char *archive, const char *folder
     char *arguments[] = {unpacker, NULL}, *environment[] = {"LC_ALL=C.UTF-8", NULL};
     JailPlan plan = {.kind = JAIL_DRAW,
                      .limits = {.wall_seconds = 20, .cpu_seconds = 10, .memory_mib = 1024, .file_mib = 1},
-                     .folder = jail->stage};
+                     .folder = jail ? jail->stage : "/"};
     bool ok = extraction.folder >= 0 || check_fail("%s cannot be opened: %s", folder, strerror(errno));
     ok = ok && jail_start(jail, &plan, &extraction.process, arguments, environment) &&
          take_files(&extraction, block, size);

@@ -1,6 +1,7 @@
 // The grader, of one submission or of a whole class. See grader/README.md.
 #include "scene/check.h"
 #include "class/class.h"
+#include "intake/archive.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "grade/progress.h"
@@ -73,12 +74,14 @@ static const Option options[] = {
     {"trusted", 0, NULL, "no jail: the submission is my own work", AT(trusted), option_flag},
     {"no-swap", 0, NULL, "do not look for the fault by putting our functions into the submission",
      AT(class.no_swap), option_flag},
-    {.help = "of a whole class, one submission a folder or archive (.zip, .tar.gz) in DIR:"},
+    {.help = "of a whole class, one submission a folder or archive in DIR:"},
     {"class", 0, "DIR",
      "the submissions; --output is the folder for grades.csv, index.html, pages/ and\nresults/",
      AT(class.folder), option_text},
     {NULL, 'j', "N", "submissions at a time (default: one a processor)", AT(class.jobs), take_jobs},
     {"resume", 0, NULL, "go on with the run in OUT; what is graded stays", AT(class.resume), option_flag},
+    {"all-attempts", 0, NULL, "grade each attempt; else the newest of each student", AT(class.all_attempts),
+     option_flag},
     {"only", 0, "NAME", "grade only this one (again) and gather nothing; may be repeated", AT(class),
      take_only},
     {"gather", 0, NULL, "grade nothing; make grades.csv and index.html from the results", AT(class.gather),
@@ -90,6 +93,11 @@ static const Option options[] = {
 static bool is_folder(const char *path) {
     struct stat info;
     return (stat(path, &info) == 0 && S_ISDIR(info.st_mode)) || check_fail("%s is not a folder", path);
+}
+
+static bool can_be_opened(const char *path) {
+    struct stat info;
+    return (stat(path, &info) == 0 && S_ISREG(info.st_mode) && archive_is_name(path)) || is_folder(path);
 }
 
 static bool check_class(GradeCommand *command, const Operands *operands) {
@@ -113,13 +121,13 @@ static bool check(void *settings, const Operands *operands) {
     if (class->jobs || class->resume || class->gather || class->list || class->only)
         return check_fail("-j, --resume, --only, --gather and --list go with --class");
     command->submission = operands->texts[0];
-    return operands->count == 1 ? is_folder(command->submission) : check_fail("give one SUBMISSION");
+    return operands->count == 1 ? can_be_opened(command->submission) : check_fail("give one SUBMISSION");
 }
 
 static const CommandLine command_line = {
     .program = "grade",
     .forms = "[options] SUBMISSION\n[options] --class DIR --output OUT",
-    .about = "Grades a SUBMISSION: a folder shaped like labs/, or the folder of one lab.\n",
+    .about = "Grades a SUBMISSION: a folder or an archive in which the labs' folders lie at any depth.\n",
     .options = options,
     .ending =
         "exit status: 0 all passed (of a class: all graded), 1 not all passed, 2 usage, 3 could not grade\n",

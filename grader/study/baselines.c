@@ -1,3 +1,4 @@
+// Frames that take no method, compared as those of methods are.
 #include "study/baselines.h"
 
 #include "scene/check.h"

@@ -1,3 +1,4 @@
+// Takes the numbers out of settings' names, and finds the number along which a method's curve runs.
 #include "study/chart_label.h"
 
 #include "scene/check.h"
@@ -63,7 +64,7 @@ static int count_values(const SceneFindings *findings, const Finding *of, int nu
 static int main_number(const SceneFindings *findings, const Finding *of, int count) {
     int best = 0;
     for (int n = 1; n < count; n++)
-        if (count_values(findings, of, n) > count_values(findings, of, best))
+        if (count_values(findings, of, n) >= count_values(findings, of, best))
             best = n;
     return best;
 }

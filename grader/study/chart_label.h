@@ -11,14 +11,15 @@ typedef struct LabelNumbers {
     int count;
 } LabelNumbers;
 
+// The first LABEL_NUMBERS of them, in their order.
 LabelNumbers label_numbers(const char *name);
 
 // "32 samples, 256 x 256" -> "32/256"; a name without numbers -> its first word.
 void label_write(const char *name, char text[LABEL_TEXT]);
 
 // The setting from which a curve leads to setting `i`: of the same method, with all numbers the same but one.
-// That one is, of the method's numbers, the one with the most different values; it is the next smaller one
-// here. -1: none.
+// That one is, of the method's numbers, the one with the most different values (the last of them); it is the
+// next smaller one here. -1: none.
 int label_before(const SceneFindings *findings, int i);
 
 // Do two findings belong to one method of one author?

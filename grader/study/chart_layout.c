@@ -1,6 +1,5 @@
+// Puts marks and labels side by side: ring by ring and side by side until one is free.
 #include "study/chart_layout.h"
-
-#include "study/chart_svg.h"
 
 #include <math.h>
 #include <string.h>
@@ -83,7 +82,7 @@ void layout_points(const SceneFindings *findings, const LayoutAxis *time, const 
         if (!points[i].drawn)
             continue;
         points[i].x = layout_place(time, point->ms);
-        points[i].y = layout_place(error, fmax(point->error, CHART_LEAST_ERROR));
+        points[i].y = layout_place(error, fmax(point->error, LAYOUT_LEAST_ERROR));
         label_write(findings->findings[i].method.name, points[i].label);
         place_mark(points, i, plot);
     }

@@ -4,6 +4,9 @@
 
 #include "study/chart_label.h"
 
+// Errors below this are drawn at it: one wrong pixel of 640 x 480 is more.
+#define LAYOUT_LEAST_ERROR 1e-6
+
 enum { LAYOUT_MARK = 5 }; // radius of a mark, pixels
 
 typedef struct LayoutBox {
@@ -15,6 +18,7 @@ typedef struct LayoutAxis {
     double low, high, from, to;
 } LayoutAxis;
 
+// The pixel of a value > 0.
 double layout_place(const LayoutAxis *axis, double value);
 
 typedef struct LayoutPoint {

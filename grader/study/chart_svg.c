@@ -16,13 +16,13 @@
 enum { WIDTH = 480, PLOT_HEIGHT = 470, ROW = 19, LETTERS = 14, SMALL = 12 };
 static const LayoutBox plot = {58, 48, WIDTH - 10, 48 + PLOT_HEIGHT};
 
-typedef struct Chart {
+typedef struct ChartPicture {
     const SceneFindings *findings;
     LayoutAxis time, error;
     double slowest; // of all but ray tracing, ms
     LayoutPoint points[METHOD_MOST];
     Svg svg;
-} Chart;
+} ChartPicture;
 
 int chart_family(const SceneFindings *findings, const char *family, bool submission) {
     int number = 0;
@@ -60,13 +60,13 @@ static double slowest(const SceneFindings *findings) {
 
 // Has the setting a point? Rays that take far longer than all labs would push these together; they are told
 // below.
-static bool is_charted(const Chart *chart, int i) {
+static bool is_charted(const ChartPicture *chart, int i) {
     const Finding *finding = &chart->findings->findings[i];
     return finding->drawn &&
            (finding->method.rays == 0 || chart->findings->points[i].ms <= BEYOND * chart->slowest);
 }
 
-static void set_axes(Chart *chart) {
+static void set_axes(ChartPicture *chart) {
     const SceneFindings *findings = chart->findings;
     chart->slowest = slowest(findings);
     chart->time = (LayoutAxis){INFINITY, 0, plot.left, plot.right};
@@ -74,11 +74,11 @@ static void set_axes(Chart *chart) {
     for (int i = 0; i < findings->count; i++)
         if (is_charted(chart, i)) {
             grow(&chart->time, findings->points[i].ms);
-            grow(&chart->error, fmax(findings->points[i].error, CHART_LEAST_ERROR));
+            grow(&chart->error, fmax(findings->points[i].error, LAYOUT_LEAST_ERROR));
         }
     const Baseline *floor = baselines_floor(&findings->lines);
     if (floor)
-        grow(&chart->error, fmax(finding_error(&floor->errors), CHART_LEAST_ERROR));
+        grow(&chart->error, fmax(finding_error(&floor->errors), LAYOUT_LEAST_ERROR));
     chart->time.low /= 1.25, chart->time.high *= 1.4;
     chart->error.low /= 1.5, chart->error.high *= 1.6;
 }
@@ -97,7 +97,7 @@ static int list_ticks(const LayoutAxis *axis, double *ticks, int most) {
     return count;
 }
 
-static void draw_axes(Chart *chart) {
+static void draw_axes(ChartPicture *chart) {
     double ticks[32];
     Svg *svg = &chart->svg;
     for (int i = 0, count = list_ticks(&chart->time, ticks, 32); i < count; i++) {
@@ -118,14 +118,14 @@ static void draw_axes(Chart *chart) {
 }
 
 // Each as a dashed line with its name; what lies outside is named in the legend.
-static bool is_inside(const Chart *chart, double error) {
+static bool is_inside(const ChartPicture *chart, double error) {
     return error >= chart->error.low && error <= chart->error.high;
 }
 
-static void draw_baselines(Chart *chart) {
+static void draw_baselines(ChartPicture *chart) {
     for (int i = 0; i < chart->findings->lines.count; i++) {
         const Baseline *line = &chart->findings->lines.lines[i];
-        double error = fmax(finding_error(&line->errors), CHART_LEAST_ERROR),
+        double error = fmax(finding_error(&line->errors), LAYOUT_LEAST_ERROR),
                y = layout_place(&chart->error, error);
         if (!is_inside(chart, error))
             continue;
@@ -134,7 +134,7 @@ static void draw_baselines(Chart *chart) {
     }
 }
 
-static void draw_front(Chart *chart) {
+static void draw_front(ChartPicture *chart) {
     const SceneFindings *findings = chart->findings;
     double last = -1, x = 0, y = 0;
     for (;;) {
@@ -155,8 +155,16 @@ static void draw_front(Chart *chart) {
     }
 }
 
+// A line where the frame without shadows lies: what a method takes beyond it is the price of its shadow.
+static void draw_bare(ChartPicture *chart) {
+    const LayoutPoint *at = chart->points;
+    for (int i = 0; i < chart->findings->count; i++)
+        if (at[i].drawn && strcmp(chart->findings->findings[i].method.family, METHOD_BARE) == 0)
+            svg_line(&chart->svg, at[i].x, plot.top, at[i].x, plot.bottom, "#777777", 1.2, "1 3");
+}
+
 // The curve to a point, its bars, and, where its mark stands aside, the way there.
-static void draw_strokes(Chart *chart, int i) {
+static void draw_strokes(ChartPicture *chart, int i) {
     const LayoutPoint *at = &chart->points[i];
     const Point *point = &chart->findings->points[i];
     const char *color = chart_color(chart->findings, &chart->findings->findings[i].method);
@@ -168,13 +176,13 @@ static void draw_strokes(Chart *chart, int i) {
                  NULL);
     svg_line(&chart->svg, layout_place(&chart->time, fmax(point->ms - point->mad, point->ms / 2)), at->y,
              layout_place(&chart->time, point->ms + point->mad), at->y, color, 1, NULL);
-    svg_line(&chart->svg, at->x, layout_place(&chart->error, fmax(low, CHART_LEAST_ERROR)), at->x,
-             layout_place(&chart->error, fmax(high, CHART_LEAST_ERROR)), color, 1, NULL);
+    svg_line(&chart->svg, at->x, layout_place(&chart->error, fmax(low, LAYOUT_LEAST_ERROR)), at->x,
+             layout_place(&chart->error, fmax(high, LAYOUT_LEAST_ERROR)), color, 1, NULL);
     if (at->mark_x != at->x || at->mark_y != at->y)
         svg_line(&chart->svg, at->x, at->y, at->mark_x, at->mark_y, "#777777", 0.8, "2 1");
 }
 
-static void draw_mark(Chart *chart, int i) {
+static void draw_mark(ChartPicture *chart, int i) {
     const Finding *finding = &chart->findings->findings[i];
     const LayoutPoint *at = &chart->points[i];
     int family = chart_family(chart->findings, finding->method.family, finding->method.submission);
@@ -200,7 +208,7 @@ static bool is_first(const SceneFindings *findings, int i) {
 }
 
 // Two columns below the plot, from the line `y` on; the next free line.
-static double draw_families(Chart *chart, double y) {
+static double draw_families(ChartPicture *chart, double y) {
     int place = 0;
     for (int i = 0; i < chart->findings->count; i++) {
         const Method *method = &chart->findings->findings[i].method;
@@ -223,12 +231,12 @@ static const Finding *example(const SceneFindings *findings) {
     return chosen ? chosen : &findings->findings[0];
 }
 
-static void note(Chart *chart, double *y, const char *text) {
+static void note(ChartPicture *chart, double *y, const char *text) {
     svg_text(&chart->svg, 10, *y, SMALL, "start", "#444444", "%s", text);
     *y += ROW - 3;
 }
 
-static double draw_notes(Chart *chart, double y) {
+static double draw_notes(ChartPicture *chart, double y) {
     char text[200], label[LABEL_TEXT];
     label_write(example(chart->findings)->method.name, label);
     snprintf(text, sizeof text, "%s = %s. Ring: the cheapest that is enough. Grey: the front.", label,
@@ -238,7 +246,7 @@ static double draw_notes(Chart *chart, double y) {
     note(chart, &y, text);
     for (int i = 0; i < chart->findings->lines.count; i++) {
         const Baseline *line = &chart->findings->lines.lines[i];
-        if (is_inside(chart, fmax(finding_error(&line->errors), CHART_LEAST_ERROR)))
+        if (is_inside(chart, fmax(finding_error(&line->errors), LAYOUT_LEAST_ERROR)))
             continue;
         snprintf(text, sizeof text, "Outside: %s, %.3g %%.", line->name, 100 * finding_error(&line->errors));
         note(chart, &y, text);
@@ -255,7 +263,7 @@ static double draw_notes(Chart *chart, double y) {
     return y;
 }
 
-static void draw(Chart *chart) {
+static void draw(ChartPicture *chart) {
     const SceneFindings *findings = chart->findings;
     for (int i = 0; i < findings->count; i++)
         chart->points[i].drawn = is_charted(chart, i);
@@ -263,6 +271,7 @@ static void draw(Chart *chart) {
     draw_axes(chart);
     draw_front(chart);
     draw_baselines(chart);
+    draw_bare(chart);
     for (int i = 0; i < findings->count; i++)
         if (chart->points[i].drawn)
             draw_strokes(chart, i);
@@ -275,7 +284,7 @@ static void draw(Chart *chart) {
 
 bool chart_draw(const SceneFindings *findings, const char *folder) {
     char path[FILES_PATH], file[64];
-    Chart *chart = calloc(1, sizeof *chart);
+    ChartPicture *chart = calloc(1, sizeof *chart);
     if (!chart)
         return check_fail("out of memory for a chart");
     chart->findings = findings;

@@ -3,9 +3,6 @@
 
 #include "study/finding.h"
 
-// Errors below this are drawn at it: one wrong pixel of 640 x 480 is more.
-#define CHART_LEAST_ERROR 1e-6
-
 // Writes folder/SCENE.svg. False with a message.
 bool chart_draw(const SceneFindings *findings, const char *folder);
 

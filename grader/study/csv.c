@@ -10,7 +10,7 @@ void csv_head(FILE *file) {
           "false_light,edge_false_shadow,edge_false_light,interior_false_shadow,interior_false_light,edge_"
           "off_pixels,"
           "rmse,flip,center_error,error_low,error_high,worst_off_pixels,worst_interior,enough_views,"
-          "taps,texels,fragments,rays,on_front,enough,chosen\n",
+          "taps,texels,fragments,rays,bytes,counted,on_front,enough,chosen\n",
           file);
 }
 
@@ -40,8 +40,9 @@ void csv_write(FILE *file, const SceneFindings *findings) {
         write_errors(file, &f->errors);
         finding_range(f, &low, &high);
         fprintf(file, "%.8f,%.8f,%.5f,%.8f,%d,", low, high, f->worst_off, f->worst_inside, f->enough_views);
-        fprintf(file, "%.2f,%.0f,%.0f,%.0f,%d,%d,%d\n", f->cost.taps, f->cost.texels, f->cost.fragments,
-                f->cost.rays, point->on_front, f->enough, f->chosen);
+        fprintf(file, "%.2f,%.0f,%.0f,%.0f,%.0f,%.0f,%d,%d,%d\n", f->cost.taps, f->cost.texels,
+                f->cost.fragments, f->cost.rays, f->cost.bytes, f->cost.counted, point->on_front, f->enough,
+                f->chosen);
     }
 }
 

@@ -71,12 +71,13 @@ static bool take(CsvTable *table, char *line) {
     if (split(line, fields) != at->count || table->count == MOST)
         return false;
     CsvRow *row = &table->rows[table->count++];
-    *row = (CsvRow){.point = {.ms = atof(fields[at->ms]),
-                              .mad = atof(fields[at->mad]),
-                              .error = atof(fields[at->error]),
-                              .on_front = atoi(fields[at->on_front]) != 0,
-                              .aside = strcmp(fields[1], METHOD_RAYS) == 0},
-                    .chosen = atoi(fields[at->chosen]) != 0};
+    *row = (CsvRow){
+        .point = {.ms = atof(fields[at->ms]),
+                  .mad = atof(fields[at->mad]),
+                  .error = atof(fields[at->error]),
+                  .on_front = atoi(fields[at->on_front]) != 0,
+                  .aside = strcmp(fields[1], METHOD_RAYS) == 0 || strcmp(fields[3], METHOD_BARE) == 0},
+        .chosen = atoi(fields[at->chosen]) != 0};
     snprintf(row->scene, sizeof row->scene, "%s", fields[0]);
     for (int i = 0; i < NAMES; i++)
         check_append(row->name, sizeof row->name, "%s%s", i ? ", " : "", fields[i]);

@@ -4,19 +4,8 @@
 // fills the findings of one scene (finding.h), which the charts and tables read.
 #pragma once
 
-#include "study/lab_artists.h"
 #include "study/finding.h"
-#include "base/progress_bar.h"
-
-typedef struct StudyPlan {
-    MetricsSize size;
-    int frames;         // of each setting
-    const char *output; // folder; pictures go to output/frames/KEY.png
-    LabArtists artists;
-    char renderer[128]; // that draws, as Reply has it; known once a scene was measured
-    Measurements state;
-    ProgressBar bar;
-} StudyPlan;
+#include "study/study_plan.h"
 
 // Fills the findings of this scene with its settings, and those of the submission behind them;
 // measures what the state does not hold. False with a message when something of ours fails; a submission that

@@ -1,3 +1,4 @@
+// Draws or traces a frame of a setting in each view and compares it, unless the state knows.
 #include "study/measure_errors.h"
 
 #include "base/hash.h"

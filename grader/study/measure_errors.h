@@ -1,8 +1,8 @@
 // The errors of a setting in all views of a scene.
 #pragma once
 
-#include "study/measure.h"
-#include "study/views.h"
+#include "study/finding.h"
+#include "study/study_plan.h"
 
 // Fills the finding's keys, errors and views by frames of its method, or by what the state holds; keeps the
 // frame of the first view as a picture. False with a message.

@@ -7,7 +7,9 @@
 
 enum { METHOD_NAME = 48, METHOD_MOST = 160 };
 
-#define METHOD_RAYS "rays"   // in the place of a lab: ray tracing itself
+#define METHOD_RAYS "rays" // in the place of a lab: ray tracing itself
+#define METHOD_BARE                                                                                          \
+    "no shadow" // the family of a frame without any: what all others cost beyond it is their shadow
 #define METHOD_NO_EDGE 1e-3F // a width of the edge that no pixel has: the boundary begins at half a pixel
 
 // What a frame costs on any machine, as the setting has it.
@@ -16,6 +18,8 @@ typedef struct Cost {
     double texels;    // of the map or the atlas
     double fragments; // of the shadow volumes, hidden or not
     double rays;      // of a bake
+    double bytes;     // of maps, atlases and what is as large as the picture, without the picture itself
+    double counted;   // one number for all of them, by the weights in cost.c: a model
 } Cost;
 
 typedef struct Method {
@@ -29,6 +33,8 @@ typedef struct Method {
     int taps;             // lookups of a pixel
     int first;            // early-out: the taps after which it may stop; 0: none
     bool volumes;         // draws shadow volumes
+    int picture_bytes;    // a pixel, of textures that the method keeps as large as the picture
+    int texel_bytes;      // of the atlas; of a map its knob "depth format" says it, and 4 where there is none
     bool by_processor;    // what comes before the picture is worked out without the GPU, as a bake's rays are
     // Adds what only its lab can count to the cost; NULL: nothing.
     void (*add_cost)(Cost *cost, const struct Method *method, const Scene *scene);

@@ -1,3 +1,4 @@
+// Traces as the truth does, with fewer rays and other random numbers, and takes the time.
 #include "study/rays.h"
 
 #include "scene/check.h"

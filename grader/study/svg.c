@@ -1,3 +1,4 @@
+// Writes SVG piece by piece into memory, then as a file.
 #include "study/svg.h"
 
 #include "base/files.h"

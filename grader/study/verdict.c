@@ -1,11 +1,15 @@
+// Chooses the cheapest setting that is enough in all views, tries other limits and single views, and says it
+// in words.
 #include "study/verdict.h"
 
 #include "scene/check.h"
 #include "scene/count.h"
 
 #include <math.h>
+#include <string.h>
 
-#define SAME_COST 1.05 // times that differ by less are the same, whatever their bars say
+#define SAME_COST                                                                                            \
+    1.15 // times that differ by less are the same, whatever their bars say: another day may swap them
 #define LIMIT_VARIED 0.2
 
 static bool is_enough(const SceneFindings *findings, const MeasuredErrors *errors, double scale) {
@@ -21,8 +25,13 @@ static bool is_enough_in(const SceneFindings *findings, const Finding *finding, 
     return enough;
 }
 
+// Ray tracing and the frame without shadows stand beside the methods.
+static bool stands_aside(const Method *method) {
+    return method->rays > 0 || strcmp(method->family, METHOD_BARE) == 0;
+}
+
 static bool may_be_chosen(const Finding *finding) {
-    return finding->drawn && !finding->method.submission && !finding->method.rays;
+    return finding->drawn && !finding->method.submission && !stands_aside(&finding->method);
 }
 
 static bool costs_as_little(const Point *point, const Point *cheapest) {
@@ -65,7 +74,7 @@ void findings_judge(SceneFindings *findings) {
         Point *point = &findings->points[i];
         point->error = finding_error(&finding->errors);
         point->ms = finding->drawn ? point->ms : -1;
-        point->aside = finding->method.rays > 0;
+        point->aside = stands_aside(&finding->method);
         finding->enough_views = 0;
         for (int v = 0; v < STUDY_VIEWS; v++)
             finding->enough_views += is_enough_in(findings, finding, 1, v);

@@ -1,3 +1,4 @@
+// Moves camera and light, traces each view once and keeps it, and compares frames with it.
 #include "study/views.h"
 
 #include "base/hash.h"

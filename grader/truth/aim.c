@@ -1,3 +1,4 @@
+// Fills a grid of strata with one random place each, and turns places into points of lamps and directions.
 #include "truth/aim.h"
 
 void aim_frame(vec3s n, vec3s *tangent, vec3s *bitangent) {

@@ -21,8 +21,13 @@ static bool find_mine(App *app, const char id[3]) {
     char labs[FILES_PATH];
     places_path(labs, "labs");
     const char *folder = app->options->submission ? app->options->submission : labs;
-    return submission_open(&submission, folder) && (submission_find(&submission, id, app->folder) ||
-                                                    check_fail("there is no lab %s in %s", id, folder));
+    char note[400];
+    if (submission_open(&submission, NULL, folder) != EXTRACT_OK)
+        return false;
+    const char *found = submission_find(&submission, id, note, sizeof note);
+    snprintf(app->folder, sizeof app->folder, "%s", found ? found : "");
+    submission_close(&submission);
+    return found || check_fail("there is no lab %s in %s", id, folder);
 }
 
 static void note_source(const char *name, void *context) {

@@ -6,6 +6,7 @@
 #include "worker/renderdoc.h"
 #include "context.h"
 #include "worker/loaded_lab.h"
+#include "worker/no_programs.h"
 #include "protocol/protocol.h"
 #include "scene/shader_source.h"
 #include "base/pipe.h"
@@ -62,8 +63,6 @@ static void fill_reply(Reply *reply, bool drawn) {
 }
 
 static bool perform(const Request *request, Reply *reply, void *payload) {
-    if (!worker.ready)
-        return false; // with the message of the start
     bool named = strcmp(worker.lab_folder, "-") == 0;
     check_clear();
     LoadedLab *hosted = loaded_lab_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
@@ -107,6 +106,13 @@ static bool start(const char *context) {
     return draw_create() && stage_view_create(&worker.stage_view);
 }
 
+// Before any code of a lab's has run, so that a client believes it.
+static bool greet(void) {
+    static Reply reply;
+    fill_reply(&reply, worker.ready);
+    return pipe_write(PROTOCOL_REPLIES, &reply, sizeof reply);
+}
+
 int main(int count, char **arguments) {
     static Request request;
     if (count != 4) {
@@ -119,6 +125,9 @@ int main(int count, char **arguments) {
     worker.shader_folder = arguments[3];
     shader_source_folders(worker.shader_folder, worker.shader_folder); // for our own
     worker.ready = start(arguments[1]);
+    no_programs();
+    if (!greet() || !worker.ready)
+        return 1;
     while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {
         INVARIANT(request.magic == PROTOCOL_MAGIC && request.width <= PROTOCOL_MAX_SIZE &&
                   request.height <= PROTOCOL_MAX_SIZE);

@@ -40,9 +40,9 @@ static double length_tolerance(const Probe *probe, double stretch) {
 }
 
 static bool sweep_tip(LabSet *labs, Findings *findings, Figure *figure) {
-    const double offset = 16, thickness = 0.1;
-    Curve *tip = figure_curve(figure, "16 texels: the tip's shift", CURVE_EQUAL);
-    Curve *gap = figure_curve(figure, "16 texels: gap at the foot", CURVE_EQUAL);
+    const double offset = 40, thickness = 0.1;
+    Curve *tip = figure_curve(figure, "40 texels: the tip's shift", CURVE_EQUAL);
+    Curve *gap = figure_curve(figure, "40 texels: gap at the foot", CURVE_EQUAL);
     bool ok = true;
     for (int angle = 20; ok && angle <= 65; angle += 9) {
         const Scene scene = board(angle, (float)thickness);

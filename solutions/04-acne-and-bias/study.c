@@ -10,7 +10,8 @@
 static void make_bias(Scene *scene) {
     *scene = (Scene){0};
     study_look(scene, vec3_make(0.9f, 3.9f, 4.1f), vec3_make(-0.25f, 0.1f, 0));
-    closed_add(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(3.4f, 1, 3.4f), 0);
+    // A slab, not a sheet: front-face culling would leave a sheet out of the map and look cheap.
+    closed_add(scene, SHAPE_BOX, vec3_make(0, -0.2f, 0), vec3_make(3.4f, 0.2f, 3.4f), 0);
     for (int i = 0; i < 3; i++)
         study_add_turned(scene, SHAPE_BOX, vec3_make(-1.9f, -0.1f, 1.4f * (float)i - 1.6f),
                          vec3_make(0.4f, 0.4f, 0.5f), 15 + 15 * (float)i);
@@ -32,12 +33,23 @@ static const StudyScene scenes[] = {
 // Values of the knob "method".
 enum { NONE, CONSTANT, SLOPE, OFFSET, FACES, NORMAL };
 
+// As in lab 05, each method is measured in a shader in which the choice is fixed.
+#define FIX(method)                                                                                          \
+    {                                                                                                        \
+        .name = "method " #method " fixed",                                                                  \
+        .edits = {{"shadow.frag", "uniform int u_method;", "const int u_method = " #method ";"}},            \
+        .edit_count = 1                                                                                      \
+    }
+static const Change fixed[] = {FIX(0), FIX(1), FIX(2), FIX(3), FIX(4), FIX(5)};
+
 // `format` names the knob's value.
 static Setting *add_bias(MethodList *list, int size, const char *family, int method, const char *knob,
                          float value, const char *format) {
     char name[METHOD_NAME];
     snprintf(name, sizeof name, format, (double)value);
-    Setting *setting = &method_add_map(list, LAB_ID, family, size, "%s", name)->setting;
+    Method *added = method_add_map(list, LAB_ID, family, size, "%s", name);
+    Setting *setting = &added->setting;
+    added->change = &fixed[method];
     setting_knob(setting, "method", (float)method);
     if (knob)
         setting_knob(setting, knob, value);

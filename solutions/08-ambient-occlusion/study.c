@@ -76,6 +76,7 @@ static void add_baked(MethodList *list, int density, int rays, float length) {
     if (length > 0)
         setting_knob(&method->setting, "ray length", length);
     method->by_processor = true;
+    method->texel_bytes = 4; // GL_R32F
     method->add_cost = add_bake;
 }
 
@@ -83,7 +84,8 @@ static void add_screen(MethodList *list, float length) {
     Method *method = method_add(list, LAB_ID, "screen space", "radius %g", (double)length);
     setting_knob(&method->setting, "method", 1);
     setting_knob(&method->setting, "ray length", length);
-    method->taps = 16; // hemisphere_count in shaders/hemisphere.glsl
+    method->picture_bytes = 4; // GL_RGBA8
+    method->taps = 16;         // hemisphere_count in shaders/hemisphere.glsl
 }
 
 static void add_methods(MethodList *list, const char *scene) {

@@ -56,6 +56,7 @@ static void add_methods(MethodList *list, const char *scene) {
             method_add_map(list, "03", "basic map", study_sizes[i], "%s", "");
         Method *volumes = method_add(list, "07", "z-fail volumes", "geometry shader");
         volumes->volumes = true;
+        volumes->picture_bytes = 12; // as in lab 07
         volumes->taps = 0;
     }
     if (strcmp(scene, "wide lamp") == 0)

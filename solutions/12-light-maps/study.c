@@ -47,6 +47,7 @@ static void add_baked(MethodList *list, int density, int rays) {
     setting_knob(&method->setting, "luxel density", (float)density);
     setting_knob(&method->setting, "rays", (float)rays);
     method->add_cost = add_bake;
+    method->texel_bytes = 16; // two textures of GL_RGBA16F
 }
 
 static void add_methods(MethodList *list, const char *scene) {

@@ -35,8 +35,8 @@ int main(int count, char **arguments) {
     if (target.tools)
         need(attack_write(target.out, "made"), "writing the compiler's output");
     run(&target, attacks_on_files);
-    run(&target, attacks_on_processes);
     run(&target, attacks_on_kernel);
+    run(&target, attacks_on_processes); // last: who is traced stops at a signal
     puts("probed");
     fflush(stdout);
     attack_by_other_architecture();

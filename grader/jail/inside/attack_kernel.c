@@ -33,22 +33,11 @@ static bool makes_namespaces(const AttackTarget *target) {
 
 // A kernel that lacks one of them answers ENOSYS, but the filter comes first.
 static bool calls_kernel(const AttackTarget *target) {
-    static const long calls[] = {SYS_io_uring_setup,
-                                 SYS_bpf,
-                                 SYS_keyctl,
-                                 SYS_add_key,
-                                 SYS_userfaultfd,
-                                 SYS_perf_event_open,
-                                 SYS_pidfd_open,
-                                 SYS_memfd_create,
-                                 SYS_init_module,
-                                 SYS_kexec_load,
-                                 SYS_reboot,
-                                 SYS_setns,
-                                 SYS_process_vm_writev,
-                                 SYS_kcmp,
-                                 SYS_quotactl,
-                                 SYS_syslog};
+    static const long calls[] = {SYS_io_uring_setup, SYS_bpf,         SYS_keyctl,
+                                 SYS_add_key,        SYS_userfaultfd, SYS_perf_event_open,
+                                 SYS_pidfd_open,     SYS_init_module, SYS_kexec_load,
+                                 SYS_reboot,         SYS_setns,       SYS_process_vm_writev,
+                                 SYS_kcmp,           SYS_quotactl,    SYS_syslog};
     (void)target;
     for (unsigned i = 0; i < sizeof calls / sizeof calls[0]; i++)
         if (syscall(calls[i], 0, 0, 0, 0, 0, 0) >= 0 || errno != EPERM)
@@ -69,6 +58,19 @@ static bool shares_memory(const AttackTarget *target) {
     return memory >= 0 || queue >= 0 || file >= 0 || named != (mqd_t)-1;
 }
 
+// Mesa needs such files; more than file_mib of the self-test, 1 MiB, must not fit into one. The signal of a
+// file that grows too large would end us.
+static bool fills_memory(const AttackTarget *target) {
+    (void)target;
+    enum { MIB = 1 << 20 };
+    signal(SIGXFSZ, SIG_IGN);
+    int file = memfd_create("attack", 0);
+    bool grows = file >= 0 && (ftruncate(file, 2 * MIB) == 0 || lseek(file, 2 * MIB, SEEK_SET) < 0 ||
+                               write(file, "x", 1) == 1);
+    close(file);
+    return grows;
+}
+
 static bool may_gain_privileges(const AttackTarget *target) {
     (void)target;
     return prctl(PR_GET_NO_NEW_PRIVS, 0, 0, 0, 0) != 1;
@@ -78,6 +80,7 @@ const Attack attacks_on_kernel[] = {{"opening a socket", opens_sockets, false, f
                                     {"making a namespace", makes_namespaces, false, false},
                                     {"a system call that nobody needs", calls_kernel, false, false},
                                     {"shared memory or a message queue", shares_memory, false, false},
+                                    {"a large file in memory", fills_memory, false, false},
                                     {"gaining privileges", may_gain_privileges, false, false},
                                     {0}};
 

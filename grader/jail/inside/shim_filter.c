@@ -9,7 +9,8 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-// Memory, time, the process's own state, and files that can be seen.
+// Memory, time, the process's own state, and files that can be seen. From version 26 on Mesa takes its memory
+// by memfd_create and ftruncate: the limits on the size of a file and on descriptors hold for it.
 static const char *const always[] = {"access",
                                      "arch_prctl",
                                      "brk",
@@ -25,6 +26,7 @@ static const char *const always[] = {"access",
                                      "faccessat2",
                                      "fadvise64",
                                      "fstat",
+                                     "ftruncate",
                                      "futex",
                                      "getcpu",
                                      "getcwd",
@@ -45,6 +47,7 @@ static const char *const always[] = {"access",
                                      "lseek",
                                      "lstat",
                                      "madvise",
+                                     "memfd_create",
                                      "mmap",
                                      "mprotect",
                                      "mremap",
@@ -78,9 +81,9 @@ static const char *const always[] = {"access",
                                      "writev"};
 
 // What gcc, as and ld do beyond that.
-static const char *const with_children[] = {
-    "dup",    "dup2",     "dup3",      "ftruncate", "open",   "openat",   "pipe",  "pipe2", "pwrite64",
-    "rename", "renameat", "renameat2", "umask",     "unlink", "unlinkat", "vfork", "wait4", "waitid"};
+static const char *const with_children[] = {"dup",    "dup2",     "dup3",   "open",     "openat",    "pipe",
+                                            "pipe2",  "pwrite64", "rename", "renameat", "renameat2", "umask",
+                                            "unlink", "unlinkat", "vfork",  "wait4",    "waitid"};
 
 static void add(scmp_filter_ctx filter, uint32_t action, const char *name, unsigned count,
                 const struct scmp_arg_cmp *comparisons) {
@@ -113,6 +116,7 @@ static void allow_some(scmp_filter_ctx filter) {
     allow_value(filter, "ioctl", 1, TCGETS);        // isatty
     allow_value(filter, "prctl", 0, PR_SET_NAME);
     allow_value(filter, "prctl", 0, PR_GET_NO_NEW_PRIVS);
+    allow_value(filter, "prctl", 0, PR_SET_SECCOMP);    // one more filter can only forbid more
     allow_value(filter, "kill", 0, (uint64_t)getpid()); // abort and the worker's report of a crash
     allow_value(filter, "tgkill", 0, (uint64_t)getpid());
     add(filter, SCMP_ACT_ALLOW, "prlimit64", 2,

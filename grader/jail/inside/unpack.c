@@ -51,6 +51,15 @@ static void tell_file(struct archive *archive, const char *name) {
     tell(EXTRACT_FILE, name, bytes, size);
 }
 
+// Its folders and its ending tell whether it may be of a lab.
+static bool is_wanted(const char *name) {
+    for (const char *slash; (slash = strchr(name, '/')); name = slash + 1)
+        if (extract_passes_folder(name, (size_t)(slash - name)) && strncmp(name, "./", 2) != 0 &&
+            strncmp(name, "../", 3) != 0 && slash != name)
+            return false;
+    return name[0] != '.' && extract_wants_file(name);
+}
+
 static void tell_entry(struct archive *archive, struct archive_entry *entry) {
     char text[900];
     const char *name = archive_entry_pathname_utf8(entry);
@@ -58,8 +67,8 @@ static void tell_entry(struct archive *archive, struct archive_entry *entry) {
         name = archive_entry_pathname(entry);
     if (!name || strlen(name) >= sizeof text - 100)
         refuse("it holds a name that is too long or cannot be read");
-    if (archive_entry_filetype(entry) == AE_IFDIR)
-        return; // made when a file lies in it
+    if (archive_entry_filetype(entry) == AE_IFDIR || !is_wanted(name))
+        return; // a folder is made when a file lies in it
     snprintf(text, sizeof text, "\"%s\" is a link or a device, not a file: hand in the file itself", name);
     if (archive_entry_filetype(entry) != AE_IFREG || archive_entry_hardlink(entry) ||
         archive_entry_symlink(entry))
@@ -71,6 +80,9 @@ static struct archive *open_archive(void *bytes, size_t size) {
     struct archive *archive = archive_read_new();
     if (archive && archive_read_support_format_zip(archive) == ARCHIVE_OK &&
         archive_read_support_format_tar(archive) == ARCHIVE_OK) {
+        archive_read_support_format_7zip(archive);
+        archive_read_support_format_rar(archive);
+        archive_read_support_format_rar5(archive);
         archive_read_support_filter_gzip(archive);
         archive_read_support_filter_bzip2(archive);
         archive_read_support_filter_xz(archive);
@@ -78,7 +90,7 @@ static struct archive *open_archive(void *bytes, size_t size) {
         if (archive_read_open_memory(archive, bytes, size) == ARCHIVE_OK)
             return archive;
     }
-    refuse("it is neither a .zip nor a .tar archive");
+    refuse("it is no .zip, .tar, .7z or .rar archive");
 }
 
 int main(void) {
@@ -89,6 +101,7 @@ int main(void) {
     void *bytes = malloc(size + 1);
     if (!bytes || !transfer(STDIN_FILENO, bytes, size, false))
         return 2;
+    tell(EXTRACT_READY, "", NULL, 0);
     struct archive *archive = open_archive(bytes, size);
     struct archive_entry *entry;
     int status;

@@ -214,8 +214,8 @@ static void assert_text(const char *name, const char *text) {
 }
 
 static void test_opens_archives(void **route) {
-    static const char *const good[] = {"good.zip",     "stored.zip",  "good.tar.gz",
-                                       "good.tar.bz2", "good.tar.xz", "good.tar"};
+    static const char *const good[] = {"good.zip",    "stored.zip", "good.tar.gz", "good.tar.bz2",
+                                       "good.tar.xz", "good.tar",   "twice.zip"};
     (void)route;
     NEEDS_ROUTE();
     for (unsigned i = 0; i < COUNT(good); i++) {
@@ -225,6 +225,9 @@ static void test_opens_archives(void **route) {
         assert_text("03-shadow-map/shadow.frag", "void main() {}\n");
         assert_text("notes \u00e9.txt", "");
     }
+    assert_int_equal(extract("through-link.zip"), EXTRACT_OK); // the link is passed over: the folder is ours
+    assert_text("a/shadow-lab-hostile.c", "int a;\n");
+    assert_false(files_exists("/tmp/shadow-lab-hostile.c"));
 }
 
 static void test_refuses_archives(void **route) {
@@ -236,10 +239,8 @@ static void test_refuses_archives(void **route) {
         {"absolute.zip", "a path that leads out of it"},
         {"dot.zip", "no plain name"},
         {"control.zip", "no plain name"},
-        {"twice.zip", "holds \"lab.c\" twice"},
         {"file-and-folder.zip", "\"lab.c/lab.c\" cannot be made"},
         {"symlink.zip", "\"lab.c\" is a link or a device"},
-        {"through-link.zip", "\"a\" is a link or a device"},
         {"symlink.tar.gz", "\"lab.c\" is a link or a device"},
         {"hardlink.tar.gz", "\"lab.c\" is a link or a device"},
         {"fifo.tar.gz", "\"lab.c\" is a link or a device"},
@@ -247,11 +248,11 @@ static void test_refuses_archives(void **route) {
         {"large-file.zip", "more than 16 MiB in one file"},
         {"large-sum.zip", "64 MiB in all"},
         {"many.zip", "more than 4000 files"},
-        {"text.zip", "it is neither a .zip nor a .tar archive"},
+        {"text.zip", "it is no .zip, .tar, .7z or .rar archive"},
         {"empty.zip", ""},
         {"cut.zip", ""},
         {"flipped.zip", "CRC"},
-        {"messages.zip", "\"the archive cannot be read: No space left on device\" is a link or a device"}};
+        {"messages.zip", "\"the archive cannot be read: No space left on device.c\" is a link or a device"}};
     (void)route;
     NEEDS_ROUTE();
     for (unsigned i = 0; i < COUNT(bad); i++) {

@@ -8,10 +8,8 @@
 #include "truth/closed_scenes.h"
 #include "study/csv.h"
 #include "study/edge.h"
-#include "study/finding.h"
 #include "study/fragments.h"
 #include "study/measurements.h"
-#include "study/verdict.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
@@ -200,89 +198,6 @@ static void test_state(void **unused) {
     files_remove(folder);
 }
 
-static Finding *add_finding(SceneFindings *findings, double ms, double inside, double off, bool submission) {
-    Finding *finding = &findings->findings[findings->count];
-    *finding =
-        (Finding){.method = {.lab = "05", .family = "linear", .submission = submission}, .drawn = true};
-    for (int v = 0; v < STUDY_VIEWS; v++)
-        finding->views[v] =
-            (MeasuredErrors){.interior_false_light = inside, .edge_false_light = 0.001, .off = off};
-    finding_errors(finding);
-    snprintf(finding->method.name, sizeof finding->method.name, "map %d", findings->count);
-    findings->points[findings->count++] = (Point){.ms = ms, .mad = 0.01};
-    return finding;
-}
-
-static void expect_told(const SceneFindings *findings, const char *part, bool told) {
-    char text[VERDICT_TEXT];
-    findings_tell(findings, text, sizeof text);
-    if ((strstr(text, part) != NULL) != told)
-        fail_msg("\"%s\" %s in \"%s\"", part, told ? "is missing" : "stands", text);
-}
-
-// The cheapest without interior error and with at most half a pixel at the edge, of ours; what lies before it
-// errs. Rays and submissions are never chosen.
-static void test_need(void **unused) {
-    (void)unused;
-    static SceneFindings findings;
-    static const StudyScene scene = {.name = "made up", .tolerance = 1e-4, .edges = true};
-    findings = (SceneFindings){.scene = &scene, .size = {STUDY_WIDTH, STUDY_HEIGHT}};
-    add_finding(&findings, 1, 0.5, 0.1, false);                  // leaks
-    add_finding(&findings, 2, 0.00001, 0.7, false);              // its edge is off; next cheaper
-    add_finding(&findings, 3, 0, 0.3, false);                    // needed
-    add_finding(&findings, 2.5, 0, 0.3, true);                   // not ours
-    add_finding(&findings, 1.5, 0, 0.3, false)->method.rays = 4; // not of a lab
-    add_finding(&findings, 4, 0, 0.1, false);                    // more than needed
-    findings_judge(&findings);
-    assert_ptr_equal(findings_chosen(&findings), &findings.findings[2]);
-    assert_true(!findings.points[4].on_front && findings.findings[2].enough_views == STUDY_VIEWS);
-    findings.points[1].on_front = true;
-    assert_ptr_equal(findings_next_cheaper(&findings), &findings.findings[1]);
-    expect_told(&findings,
-                "linear, map 2 (lab 05); in the worst of 6 views its edge is off by 0.30 of 0.5 pixels",
-                true);
-    expect_told(
-        &findings,
-        "the next cheaper, linear, map 1 (lab 05), is enough in 0 views: its edge is off by 0.7 pixels",
-        true);
-    expect_told(&findings, "narrower or wider ask for the same", true);
-    expect_told(&findings, "one view alone", false);
-    expect_told(&findings, "may need more", false);
-    findings.size.width /= 2;
-    expect_told(&findings, "320 x 480, whose pixels are larger: those of 640 x 480 may need more", true);
-    findings.count = 2;
-    findings_judge(&findings);
-    expect_told(&findings, "none of these settings is enough in all 6 views", true);
-}
-
-// One view in which it is not enough excludes a setting, and the verdict says that others saw it otherwise; a
-// limit that a fifth would move it over is said to be one that it hangs on; of equal times the smaller error
-// is taken.
-static void test_sure_need(void **unused) {
-    (void)unused;
-    static SceneFindings findings;
-    static const StudyScene scene = {.name = "made up", .tolerance = 1e-4, .edges = true};
-    findings = (SceneFindings){.scene = &scene, .size = {STUDY_WIDTH, STUDY_HEIGHT}};
-    Finding *first = add_finding(&findings, 1, 0, 0.3, false);
-    first->views[4].off = 0.9;
-    finding_errors(first);
-    add_finding(&findings, 2, 0, 0.45, false);
-    Finding *equal = add_finding(&findings, 2.05, 0, 0.44, false);
-    equal->views[0].edge_false_light = 0; // errs less
-    finding_errors(equal);
-    add_finding(&findings, 3, 0, 0.3, false);
-    findings_judge(&findings);
-    assert_ptr_equal(findings_chosen(&findings), equal);
-    assert_int_equal(first->enough_views, STUDY_VIEWS - 1);
-    expect_told(&findings, "it costs no more than linear, map 1", true);
-    expect_told(&findings, "it hangs on the limits: 20 % narrower ones ask for linear, map 3", true);
-    expect_told(&findings, "one view alone would name 2 different settings", true);
-    assert_int_equal(findings_choose(&findings, 1, 4), 2);
-    assert_int_equal(findings_choose(&findings, 1, 0), 0);
-    assert_int_equal(findings_choose(&findings, 0.1, -1), -1);
-    assert_int_equal(findings_choose(&findings, 2, -1), 0);
-}
-
 // A table of settings of one scene; the times' bars are 1 wide, and the second is on the front where `front`.
 static void write_table(const char *path, double first_ms, double second_ms, bool front) {
     FILE *file = fopen(path, "w");
@@ -290,7 +205,7 @@ static void write_table(const char *path, double first_ms, double second_ms, boo
     for (int i = 0; i < 2; i++)
         fprintf(file,
                 "edges,05,ours,\"linear\",\"a, map "
-                "%d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,0,0,0,0,0,0,0,6,1,1,0,0,%d,1,0\n",
+                "%d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,0,0,0,0,0,0,0,6,1,1,0,0,0,0,%d,1,0\n",
                 i, i ? second_ms : first_ms, i ? front : 1);
     fclose(file);
 }
@@ -324,7 +239,6 @@ int main(void) {
                                        cmocka_unit_test(test_edge_length), cmocka_unit_test(test_edge_angles),
                                        cmocka_unit_test(test_edge_error),  cmocka_unit_test(test_map_side),
                                        cmocka_unit_test(test_fragments),   cmocka_unit_test(test_state),
-                                       cmocka_unit_test(test_need),        cmocka_unit_test(test_sure_need),
                                        cmocka_unit_test(test_compare)};
     return cmocka_run_group_tests_name("study", tests, NULL, NULL);
 }

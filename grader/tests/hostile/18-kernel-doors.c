@@ -17,7 +17,6 @@ static void attack(const Frame *frame) {
     DENIED(answered(SYS_add_key));
     DENIED(answered(SYS_userfaultfd));
     DENIED(answered(SYS_perf_event_open));
-    DENIED(answered(SYS_memfd_create));
     DENIED(answered(SYS_mount));
     DENIED(answered(SYS_move_mount));
     DENIED(answered(SYS_setns));

@@ -13,21 +13,21 @@ facts() { for file in "$1"/results/*.json; do basename "$file"; times <"$file"; 
 # A whole run, by two processes.
 grades "${common[@]}" --output "$work/whole" -j 2
 expect "a class" 0 "submissions, 0 not graded" "Ann Lee" "new\\x0aline"
-[[ $(head -1 "$work/whole/grades.csv") == "submission,lab 03,total,status" ]] && ok || bad "the head of grades.csv" "$(head -3 "$work/whole/grades.csv")"
+[[ $(head -1 "$work/whole/grades.csv") == "submission,lab 03,total,status,student,id,late,reason" ]] && ok || bad "the head of grades.csv" "$(head -3 "$work/whole/grades.csv")"
 rows=$(($(wc -l <"$work/whole/grades.csv") - 1))
 [[ $rows == $(ls "$work"/whole/results | wc -l) && $rows == $(ls "$work"/whole/pages | wc -l) && $rows -ge 10 ]] && ok || bad "a row, a record and a page a submission" "$(ls -R "$work/whole")"
 of() { # NAME PATTERN: the row of the submission
     grep -E "^\"$1(\.zip|\.tar\.gz)?\"," "$work/whole/grades.csv" | cut -d'"' -f3 | grep -qE "$2" && ok || bad "the grade of $1 is not $2" "$(cat "$work/whole/grades.csv")"
 }
-of "Ann Lee" '^,100\.00,100\.00,passed$'
-of "'=2\+3" '^,0\.00,0\.00,failed$'
-of "'@at" '^,100\.00,100\.00,passed$'
-of "new.x0aline" '^,0\.00,0\.00,failed$'
-of "é+" '^,0\.00,0\.00,failed$' # links to the solution
+of "Ann Lee" '^,100\.00,100\.00,passed,$'
+of "'=2\+3" '^,0\.00,0\.00,failed,$'
+of "'@at" '^,100\.00,100\.00,passed,$'
+of "new.x0aline" '^,0\.00,0\.00,failed,$'
+of "é+" '^,0\.00,0\.00,failed,$' # links to the solution
 python3 - "$work/whole/grades.csv" <<'PYTHON' && ok || bad "a spreadsheet runs no name"
 import csv, sys
 rows = list(csv.reader(open(sys.argv[1], newline="", encoding="utf-8")))
-assert all(len(row) == 4 for row in rows) and not any(cell[:1] in "=+-@\t\r" for row in rows for cell in row if cell)
+assert all(len(row) == 8 for row in rows) and not any(cell[:1] in "=+-@\t\r" for row in rows for cell in row if cell)
 PYTHON
 
 # A name with a semicolon, and an archive that is called as a message of ours: names are names. A mistake is counted by its
@@ -103,7 +103,7 @@ grades "${common[@]}" --output "$work/array" --only "${names[0]}" --only "${name
 wait
 grades --class "$class" --output "$work/array" --gather
 expect "some are missing" 3 "$((rows - 3)) not graded"
-grep -q '^"Ann Lee",100.00,100.00,passed$' "$work/array/grades.csv" && grep -q ',,,not graded$' "$work/array/grades.csv" && ok || bad "gathered" "$(cat "$work/array/grades.csv")"
+grep -q '^"Ann Lee",100.00,100.00,passed,' "$work/array/grades.csv" && grep -q ',,,not graded,' "$work/array/grades.csv" && ok || bad "gathered" "$(cat "$work/array/grades.csv")"
 
 # Of two folders of a lab the one that has its name counts; a folder around it is stepped into.
 mkdir -p "$work/two/both/wrapped" && cp -r labs/03-shadow-map "$work/two/both/wrapped/03-a-try"
@@ -118,11 +118,11 @@ sed -i 's/^#ifdef SOLUTION/int broken(;\n&/' "$work/home/solutions/03-shadow-map
 grade=$work/home/build/grade
 grades --class "$work/few" --output "$work/fault" --lab 03
 expect "our own fault" 3 "one: not graded" "1 not graded" "--resume tries again"
-[[ $(tail -1 "$work/fault/grades.csv") == '"one",,,not graded' ]] && ok || bad "our fault is no grade" "$(cat "$work/fault/grades.csv")"
+[[ $(tail -1 "$work/fault/grades.csv") == '"one",,,not graded,"one",'* ]] && ok || bad "our fault is no grade" "$(cat "$work/fault/grades.csv")"
 cp solutions/03-shadow-map/lab.c "$work/home/solutions/03-shadow-map/lab.c"
 grades --class "$work/few" --output "$work/fault" --resume
 expect "our fault, fixed" 0 "1 submissions, 0 not graded"
-[[ $(tail -1 "$work/fault/grades.csv") == '"one",100.00,100.00,passed' ]] && ok || bad "graded after all" "$(cat "$work/fault/grades.csv")"
+[[ $(tail -1 "$work/fault/grades.csv") == '"one",100.00,100.00,passed,'* ]] && ok || bad "graded after all" "$(cat "$work/fault/grades.csv")"
 grade=$root/$BUILD/grade
 
 # Who ignores the signal that the time is over is killed, and is still told of the time.

@@ -76,4 +76,24 @@ run "$kit/grader/scripts/reset" 03
 expect "reset" 0 "is the skeleton again"
 cmp -s labs/03-shadow-map/lab.c "$kit/labs/03-shadow-map/lab.c" && ok || bad "reset in the kit"
 
+# Each command of make that its texts name is there; what is not is said in one line.
+in_kit() { status=0; out=$(make -C "$kit" --no-print-directory "$@" 2>&1) || status=$?; }
+named=$(cat "$kit"/README.md "$kit"/labs/*/README.md "$kit"/common/DEBUGGING.md | grep -oE '\bmake [a-z-]+( [A-Z]+=[0-9.]+)?' | sort -u | grep -vE '^make (study|even|sure|it|the|a|no|your|one|its|two|them|what|all|this|up|something|an|that)\b')
+while read -r _ target operand; do
+    in_kit -n "$target" $operand
+    [[ $status == 0 ]] && ok || bad "make $target is named in the kit" "$out"
+done <<<"$named"
+in_kit help
+expect "help" 0 "make watch" "make hand-in"
+[[ $out != *mutants* && $out != *"make demo"* ]] && ok || bad "help lists what is not there" "$out"
+in_kit demo
+expect "a teacher's target" 2 "make demo is not in this kit; make help lists what is"
+grep -q "make watch" "$kit/README.md" && ! grep -qE 'build/grade --class|make demo' "$kit/README.md" && ok || bad "the kit's README"
+in_kit hand-in LAB=03
+expect "hand in" 0 "build/lab-03.tar.gz" "03-shadow-map/lab.c" "still to do: TODO(3.1)"
+grade=$root/$BUILD/grade
+grades --lab 03 --seed 2 --trusted "$kit/build/lab-03.tar.gz"
+expect "what was packed is graded" 1 "0.00 of 100 points"
+[[ $out != *"! "* ]] && ok || bad "what was packed is whole" "$out"
+
 finish

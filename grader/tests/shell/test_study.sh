@@ -12,8 +12,8 @@ studies --scene volumes --output "$work/one"
 expect "a study of one scene" 0 "volumes: " "chart.html"
 csv=$work/one/chart.csv
 count=$(table "$csv" 'len(rows)') # of the settings that the labs bring to this scene
-[[ $count -gt 10 && $(table "$csv" '{len(r) for r in rows}, None in rows[0]') == "({35}, False)" ]] && ok ||
-    bad "chart.csv has rows of 35 named fields" "$(table "$csv" 'len(rows), {len(r) for r in rows}')"
+[[ $count -gt 10 && $(table "$csv" '{len(r) for r in rows}, None in rows[0]') == "({37}, False)" ]] && ok ||
+    bad "chart.csv has rows of 37 named fields" "$(table "$csv" 'len(rows), {len(r) for r in rows}')"
 [[ $(table "$csv" 'all(float(r[k]) >= 0 for r in rows for k in list(r)[5:])') == True ]] && ok || bad "chart.csv holds numbers"
 [[ $(table "$csv" 'all(abs(float(r["false_shadow"]) + float(r["false_light"]) - float(r["error"])) < 1e-6 for r in rows)') == True ]] &&
     ok || bad "false shadow and false light add up"
@@ -70,6 +70,18 @@ right=$(solved right 05)
 studies --scene volumes --lab 05 --submission "$right/05-pcf" --output "$work/one"
 errors='[r["error"] for r in rows if r["whose"] == "%s" and r["lab"] == "05"]'
 [[ $(table "$csv" "${errors/\%s/submission} == ${errors/\%s/ours}") == True ]] && ok || bad "a right submission errs as we do"
+
+costs='[[r[k] for k in ("taps", "texels", "fragments", "rays", "bytes", "counted")] for r in rows if r["whose"] == "%s" and r["lab"] == "05"]'
+[[ $(table "$csv" "${costs/\%s/submission} == ${costs/\%s/ours} and len(${costs/\%s/ours}) > 5") == True ]] && ok ||
+    bad "a right submission costs as much as we do"
+[[ $(table "$csv" 'all(float(r["bytes"]) == 4 * float(r["texels"]) > 0 for r in rows if r["lab"] == "05")') == True ]] && ok ||
+    bad "a map takes four bytes a texel"
+[[ $(table "$csv" 'sorted({float(r["bytes"]) for r in rows if "z-fail" in r["method"]})') == "[$((64 * 48 * 12)).0]" ]] && ok ||
+    bad "volumes take two colours, depth and stencil a pixel"
+bare='[r for r in rows if r["method"] == "no shadow"]'
+[[ $(table "$csv" "len($bare) == 1 and {$bare[0][k] for k in ('on_front', 'chosen', 'enough', 'counted')} == {'0'}") == True ]] && ok ||
+    bad "the frame without shadows stands aside"
+grep -q 'stroke-dasharray="1 3"' "$work/one/volumes.svg" && ok || bad "the chart has a line for it"
 
 # A submission that does not compile is said to be so, and ours are charted.
 echo "int" >"$right/05-pcf/lab.c"

@@ -38,6 +38,13 @@ found "the depth is compared with its square" 03 shadow.frag 's/depth < position
 found "a cap is missing" 07 volume.geom 's/    emit(at_infinity(c));/    emit(here(c));/' emit_caps
 found "no stencil test" 07 lab.c 's/    glEnable(GL_STENCIL_TEST);//' draw_volumes
 
+# Other random numbers stand in a given line of a function whose task is right: the task that needs them is told.
+folder=$(resolve noise 06)
+sed -i 's/random_range(&random, -0.5f, 0.5f)/(float)rand() \/ (float)RAND_MAX - 0.5f/; /Random random = {PATTERN_SEED};/d' \
+    "$folder/offsets.h"
+grades --trusted --lab 06 --seed 1 "$folder"
+expect "rand()" 1 "\`fill_offsets\` (offsets.h), task 6.3" "not the given random numbers"
+
 # Two faults in two functions; a task that is not done is no fault.
 folder=$(resolve two 07)
 sed -i 's/    emit(at_infinity(c));/    emit(here(c));/' "$folder/volume.geom"

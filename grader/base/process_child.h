@@ -1,0 +1,11 @@
+// What a child does between fork and exec.
+#pragma once
+
+#include "base/process_limits.h"
+
+#include <sys/types.h>
+
+// `ends` become its descriptors 0, 1 and 2, and 3. Ends with 127 and a word on its output when something
+// fails.
+_Noreturn void process_child_run(const int ends[3], char *const *arguments, char *const *environment,
+                                 const char *folder, const ProcessLimits *limits, pid_t parent);

@@ -1,0 +1,35 @@
+#include "grade/lab_verdict.h"
+
+#include "scene/check.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void grade_warn(LabResult *result, const char *text) {
+    char clean[RESULT_TEXT];
+    result_clean(clean, sizeof clean, text);
+    if (clean[0] && !strstr(result->warnings, clean))
+        check_append(result->warnings, sizeof result->warnings, "%s%s", result->warnings[0] ? "\n" : "",
+                     clean);
+}
+
+void grade_begin(LabResult *result, const Rubric *rubric) {
+    memset(result, 0, sizeof *result);
+    memcpy(result->id, rubric->id, sizeof result->id);
+    snprintf(result->name, sizeof result->name, "%s", rubric->title);
+    result->max_score = rubric_points(rubric);
+    result->check_count = rubric->check_count;
+    for (int c = 0; c < rubric->check_count; c++)
+        result->checks[c] = (CheckResult){.check = &rubric->checks[c], .error = 1};
+}
+
+void grade_fail(LabResult *result, LabStatus status, const char *message) {
+    if (result->message[0])
+        return;
+    result->status = status;
+    result_clean(result->message, sizeof result->message, message);
+}
+
+void grade_refuse(LabResult *result, const char *reason) {
+    grade_fail(result, LAB_ERROR, reason);
+}

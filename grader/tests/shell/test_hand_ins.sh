@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Hand-ins as people and learning systems pack them: each gets its points, under its student's name.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+
+grader/tests/helpers/make_hand_ins "$work/class" >"$work/expected" || bad "make_hand_ins"
+mkdir "$work/class/out"
+grades --class "$work/class" --lab 03 --seed 5 --output "$work/class/out"
+expect "the class" 0 "0 not graded" '"out" is the output of the class run'
+echo "$out" >"$work/said"
+python3 - "$work" <<'PYTHON' >"$work/verdicts"
+import csv, html, pathlib, re, sys
+work = pathlib.Path(sys.argv[1])
+rows = {row["submission"]: row for row in csv.DictReader(open(work / "class/out/grades.csv", newline="", encoding="utf-8"))}
+pages = {}
+for path in (work / "class/out/pages").glob("*.html"):
+    text = html.unescape(re.sub(r"<[^>]*>", "", path.read_text()))
+    for name in rows:
+        if name in text[:400]:
+            pages[name] = pages.get(name, "") + text
+said = (work / "said").read_text()
+for line in open(work / "expected", encoding="utf-8"):
+    name, student, id, points, words = line.rstrip("\n").split("\t")
+    row = rows.pop(name, None)
+    if points == "-":
+        print("ok" if row is None and re.search(re.escape(f'"{name}"') + ".*" + words, said) else f"{name}: must be ignored")
+    elif row is None:
+        print(f"{name}: has no row")
+    elif (row["student"], row["id"]) != (student, id) or float(row["total"]) != float(points) or words not in pages.get(name, ""):
+        print(f"{name}: {row['total']} points, not {points}; student {row['student']!r}, id {row['id']!r}; {row['reason']}; wanted {words!r}")
+    else:
+        print("ok")
+for name in rows:
+    print(f"{name}: a row that nobody expects")
+PYTHON
+while read -r line; do
+    [[ $line == ok ]] && ok || bad "$line"
+done <"$work/verdicts"
+(($(grep -c . "$work/expected") >= 60)) && ok || bad "fewer than 60 hand-ins"
+[[ $(grep -c ',late,"' "$work/class/out/grades.csv") == 1 ]] && ok || bad "who is late is said" "$(grep late "$work/class/out/grades.csv")"
+
+# Each attempt, when asked for. A whole archive is graded alone, too.
+grades --class "$work/class" --lab 03 --seed 5 --output "$work/all" --all-attempts --list
+expect "all attempts" 0 "doemax"
+(($(grep -c '^doemax' <<<"$out") == 2)) && ok || bad "each attempt has a name" "$out"
+grades --lab 03 --seed 5 "$work/class/zip in zip.zip"
+expect "one archive" 0 "100.00 of 100 points"
+grades --lab 03 "$work/class/notes.txt"
+expect "a file that is no archive" 2 "is not a folder"
+finish
