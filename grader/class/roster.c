@@ -12,16 +12,16 @@
 #include <sys/stat.h>
 
 // A name in the class's folder.
-typedef struct Source {
+typedef struct HandIn {
     char *name;
     bool loose; // a file, not an archive
     HandInName told;
     struct timespec changed;
-} Source;
+} HandIn;
 
 typedef struct Reading {
     Roster *roster;
-    Source *sources;
+    HandIn *sources;
     int count;
     struct stat output; // its device and inode; 0: none
 } Reading;
@@ -39,14 +39,14 @@ static void ignore(Roster *roster, const char *name, const char *why) {
 }
 
 // Only a learning system's name tells whose a loose file is.
-static bool is_loose(const Source *source, const struct stat *info) {
+static bool is_loose(const HandIn *source, const struct stat *info) {
     return S_ISREG(info->st_mode) && source->told.id[0] && source->told.file[0] &&
            extract_wants_file(source->told.file);
 }
 
 static void add_source(const char *name, void *context) {
     Reading *reading = context;
-    Source source = {0};
+    HandIn source = {0};
     char path[FILES_PATH];
     struct stat info;
     files_join(path, reading->roster->folder, name);
@@ -83,13 +83,13 @@ static void cut_prefix(Reading *reading) {
     free(names);
 }
 
-static bool same_student(const Source *a, const Source *b) {
+static bool same_student(const HandIn *a, const HandIn *b) {
     return a->loose == b->loose &&
            (a->told.id[0] ? strcmp(a->told.id, b->told.id) == 0
                           : !b->told.id[0] && strcmp(a->told.student, b->told.student) == 0);
 }
 
-static bool is_newer(const Source *a, const Source *b) {
+static bool is_newer(const HandIn *a, const HandIn *b) {
     const int told = hand_in_compare(&a->told, &b->told);
     if (told != 0)
         return told > 0;
@@ -97,7 +97,7 @@ static bool is_newer(const Source *a, const Source *b) {
                                                   : a->changed.tv_nsec > b->changed.tv_nsec;
 }
 
-static RosterEntry *add_entry(Roster *roster, const Source *source, const char *name) {
+static RosterEntry *add_entry(Roster *roster, const HandIn *source, const char *name) {
     roster->entries = grow(roster->entries, roster->count, sizeof *roster->entries);
     RosterEntry *entry = &roster->entries[roster->count++];
     *entry = (RosterEntry){.name = strdup(name),
@@ -110,7 +110,7 @@ static RosterEntry *add_entry(Roster *roster, const Source *source, const char *
     return entry;
 }
 
-static void add_loose(RosterEntry *entry, const Source *source) {
+static void add_loose(RosterEntry *entry, const HandIn *source) {
     entry->loose = grow(entry->loose, entry->loose_count, sizeof *entry->loose);
     entry->loose[entry->loose_count] = strdup(source->name);
     INVARIANT(entry->loose[entry->loose_count]);
@@ -121,7 +121,7 @@ static void add_loose(RosterEntry *entry, const Source *source) {
 // The loose files of one student are one hand-in. Of two files that he has named alike the newer counts.
 static void gather_loose(Reading *reading, int first) {
     char name[2 * HAND_IN_TEXT + 2];
-    const Source *source = &reading->sources[first];
+    const HandIn *source = &reading->sources[first];
     for (int i = 0; i < first; i++)
         if (same_student(&reading->sources[i], source))
             return;
@@ -139,7 +139,7 @@ static void gather_loose(Reading *reading, int first) {
 }
 
 static void take(Reading *reading, int i, bool all_attempts) {
-    const Source *source = &reading->sources[i];
+    const HandIn *source = &reading->sources[i];
     if (source->loose) {
         gather_loose(reading, i);
         return;

@@ -11,7 +11,7 @@
 #include "grade/remarks.h"
 #include "grade/score_check.h"
 #include "grade/take_submission.h"
-#include "grade/verdict.h"
+#include "grade/lab_verdict.h"
 #include "score/score.h"
 
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include "scene/check.h"
 #include "base/places.h"
 #include "intake/submission.h"
-#include "grade/verdict.h"
+#include "grade/lab_verdict.h"
 
 #include <stdio.h>
 #include <stdlib.h>

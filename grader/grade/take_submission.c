@@ -6,7 +6,7 @@
 #include "compile/todo.h"
 #include "exam/handed_out.h"
 #include "grade/control.h"
-#include "grade/verdict.h"
+#include "grade/lab_verdict.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+// Looks for a number, then for a word before a number, then for our own words; or for a title in the text.
 #include "intake/lab_name.h"
 
 #include "base/places.h"

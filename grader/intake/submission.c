@@ -19,15 +19,15 @@
 enum { MAX_ENTRIES = 20000, MAX_SOURCE = 1 << 18, ROOM = 300 }; // ROOM: for one more name in a path
 enum { RANK_TITLE = 100, RANK_NAME = 200, RANK_OUTER = 300, RANK_EMPTY = 1000, RANK_ARCHIVE = 2000 };
 
-typedef struct Walk {
+typedef struct FolderWalk {
     Submission *submission;
     const char *folder;
     char above[3]; // the lab that the nearest name above tells, "" for none
     int depth, rank;
     bool stopped; // a folder inside could not be read for a reason of ours
-} Walk;
+} FolderWalk;
 
-static void look_into(Walk *outer, const char *folder, const char *above, int depth);
+static void look_into(FolderWalk *outer, const char *folder, const char *above, int depth);
 
 // Is it the machine that lacks something, and not the folder that cannot be read?
 static bool is_ours(int error) {
@@ -39,7 +39,7 @@ static bool is_our_name(const char *name, const char *id) {
     return places_find_lab(ours, id) && strcmp(strrchr(ours, '/') + 1, name) == 0;
 }
 
-static void add_lab(Walk *walk, const char *folder, const char *id, int rank) {
+static void add_lab(FolderWalk *walk, const char *folder, const char *id, int rank) {
     Submission *submission = walk->submission;
     if (submission->lab_count == SUBMISSION_MAX_LABS)
         return;
@@ -60,7 +60,7 @@ static bool find_title(char id[3], const char *folder, const char *file) {
 }
 
 // Notes the folder if it may be a lab's. `above`: the lab that its own name or one above tells.
-static void judge_folder(Walk *walk, const char *folder, const char *name, const char *above) {
+static void judge_folder(FolderWalk *walk, const char *folder, const char *name, const char *above) {
     char file[FIND_FILE_NAME], id[3] = "";
     check_clear();
     const bool filled = find_file(file, folder, "lab.c");
@@ -76,7 +76,7 @@ static void judge_folder(Walk *walk, const char *folder, const char *name, const
 }
 
 // The name of the outermost folder is mostly that of who hands in.
-static void enter(Walk *walk, const char *folder, const char *name, const char *above) {
+static void enter(FolderWalk *walk, const char *folder, const char *name, const char *above) {
     char id[3];
     const bool told = lab_name_find(id, name) && (walk->depth > 0 || is_our_name(name, id));
     judge_folder(walk, folder, name, told ? id : above);
@@ -97,7 +97,7 @@ static void keep_archive(Submission *submission, const char *path) {
 }
 
 static void look(const char *name, void *context) {
-    Walk *walk = context;
+    FolderWalk *walk = context;
     Submission *submission = walk->submission;
     char path[FILES_PATH];
     struct stat info;
@@ -117,8 +117,8 @@ static void look(const char *name, void *context) {
         keep_archive(submission, path);
 }
 
-static void look_into(Walk *outer, const char *folder, const char *above, int depth) {
-    Walk walk = *outer;
+static void look_into(FolderWalk *outer, const char *folder, const char *above, int depth) {
+    FolderWalk walk = *outer;
     walk.folder = folder;
     walk.depth = depth;
     memcpy(walk.above, above, sizeof walk.above);
@@ -131,7 +131,7 @@ static void look_into(Walk *outer, const char *folder, const char *above, int de
 
 static bool walk_through(Submission *submission, const char *folder, int rank) {
     char resolved[FILES_PATH];
-    Walk walk = {.submission = submission, .rank = rank};
+    FolderWalk walk = {.submission = submission, .rank = rank};
     if (!realpath(folder, resolved) || strlen(resolved) + ROOM > FILES_PATH)
         return check_fail("the path of %s is too long", folder);
     enter(&walk, resolved, strrchr(resolved, '/') + 1, "");

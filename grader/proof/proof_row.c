@@ -5,7 +5,7 @@
 #include "diagnose/diagnose.h"
 #include "grade/grade_lab.h"
 #include "grade/remarks.h"
-#include "grade/verdict.h"
+#include "grade/lab_verdict.h"
 
 #include <stdio.h>
 #include <string.h>

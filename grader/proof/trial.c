@@ -3,7 +3,7 @@
 
 #include "compile/lab_folder.h"
 #include "grade/grade_lab.h"
-#include "grade/verdict.h"
+#include "grade/lab_verdict.h"
 #include "scene/check.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 // What a client and the worker say to each other, through two pipes on one machine: first, unasked, a Reply
-// that the worker is ready (drawn: 1) or why not; no code of a lab's has run by then. Then for each Request one
-// Reply, followed by exactly width * height * 4 bytes of RGBA pixels (top row first), also when the lab
+// that the worker is ready (drawn: 1) or why not; no code of a lab's has run by then. Then for each Request
+// one Reply, followed by exactly width * height * 4 bytes of RGBA pixels (top row first), also when the lab
 // failed; or, when the request asks for it, by a Description.
 //
 // Interface: Request and Reply, of which each side writes and reads whole ones (base/pipe.h); the names of

@@ -36,7 +36,7 @@ grades --lab 03 --format json "$half"
 
 # One lab's folder; text.
 grades --seed 1 solutions/03-shadow-map
-expect "one lab's folder" 0 "Lab 03: Basic shadow map" "ok    12.00/12  3.2  light matrix: spot light" "100.00 of 100 points, passed"
+expect "one lab's folder" 0 "Lab 03: Basic shadow map" "ok     6.00/6   3.2  light matrix: spot light" "100.00 of 100 points, passed"
 grades --lab 03 --seed 1 labs
 expect "hints in the text" 1 "task 3.1 is not done" "It is task 2.4 of the last lab again" "[..............................] 0.00 of 100 points, failed"
 [[ $out != *$'\033'* ]] && ok || bad "no colour codes in a pipe"

@@ -29,7 +29,7 @@ run
 mkdir "$AUTOGRADER/submission/03-shadow-map" && cp labs/03-shadow-map/{lab.c,shadow.frag} "$AUTOGRADER/submission/03-shadow-map"
 rm "$AUTOGRADER"/submission/*.*
 run
-[[ $status == 0 && $(field 'r["score"], len(r["tests"])') == "(0.0, 10)" ]] && ok || bad "a folder with the skeleton" "$out$(cat "$work/log")"
+[[ $status == 0 && $(field 'r["score"], len(r["tests"])') == "(0.0, 11)" ]] && ok || bad "a folder with the skeleton" "$out$(cat "$work/log")"
 [[ -z $(valid <<<"$out") && $(field '"is not done" in r["tests"][0]["output"]') == True ]] && ok || bad "causes" "$out"
 [[ -z $(valid <<<'{"score": "all", "tests": []}') ]] && bad "the schema takes a score that is no number" || ok
 rm "$AUTOGRADER/source/project/build/worker"

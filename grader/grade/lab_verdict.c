@@ -1,4 +1,4 @@
-#include "grade/verdict.h"
+#include "grade/lab_verdict.h"
 
 #include "scene/check.h"
 
