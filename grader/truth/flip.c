@@ -186,7 +186,7 @@ bool flip_create(FlipPicture *picture, MetricsSize size, const float *rgb) {
 
 bool flip_create_grey(FlipPicture *picture, MetricsSize size, const float *grey) {
     size_t pixels = (size_t)size.width * (size_t)size.height;
-    float *rgb = malloc(3 * pixels * sizeof *rgb);
+    float *rgb = calloc(3 * pixels, sizeof *rgb);
     for (size_t i = 0; rgb && i < 3 * pixels; i++)
         rgb[i] = grey[i / 3];
     *picture = (FlipPicture){0};

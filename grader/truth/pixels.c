@@ -56,8 +56,10 @@ bool pixels_trace(const Truth *truth, const TruthPicture *centers, const TruthQu
         return check_fail("%d samples a pixel are no whole number in each of %d places of it", query->samples,
                           across * across);
     Sums sums = {.visibility = calloc(pixels, sizeof(float)), .counted = calloc(pixels, sizeof(float))};
-    bool ok = truth_picture_create(&sums.picture, centers->width, centers->height) &&
-              ((sums.visibility && sums.counted) || check_fail("out of memory for %zu pixels", pixels));
+    bool ok = sums.visibility && sums.counted;
+    if (!ok)
+        check_fail("out of memory for %zu pixels", pixels);
+    ok = ok && truth_picture_create(&sums.picture, centers->width, centers->height);
     for (size_t i = 0; ok && i < pixels; i++)
         visibility[i] = 0;
     ok = ok && trace_all(truth, centers, *query, across, &sums, visibility);

@@ -29,7 +29,7 @@ void separable_filter(MetricsSize size, const float *from, const SeparableKernel
                       const SeparableKernel *along_y, float *to) {
     size_t width = (size_t)size.width;
     float *half = malloc(width * (size_t)size.height * sizeof *half);
-    float *line = malloc((width + 2 * SEPARABLE_MOST) * sizeof *line);
+    float *line = calloc(width + 2 * SEPARABLE_MOST, sizeof *line);
     INVARIANT(half && line);
     for (int y = 0; y < size.height; y++) {
         for (int x = -along_x->radius; x < size.width + along_x->radius; x++)

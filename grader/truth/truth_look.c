@@ -33,8 +33,9 @@ static vec2s place_in(const TruthPlace *place, uint64_t pixel) {
     int stratum = place->part ^ (int)(random_next(&order) % (uint64_t)strata);
     Random random = {random_next(&order) + (uint64_t)place->part * 0x9fb21c651e98df25u};
     random.state = random_next(&random); // neighbouring seeds share most of their sequence
-    float x = (float)(stratum % place->across) + random_range(&random, 0, 1);
-    float y = (float)(stratum / place->across) + random_range(&random, 0, 1);
+    int column = stratum % place->across, row = stratum / place->across;
+    float x = (float)column + random_range(&random, 0, 1);
+    float y = (float)row + random_range(&random, 0, 1);
     return glms_vec2_divs((vec2s){{x, y}}, (float)place->across);
 }
 

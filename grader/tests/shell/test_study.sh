@@ -76,7 +76,7 @@ costs='[[r[k] for k in ("taps", "texels", "fragments", "rays", "bytes", "counted
     bad "a right submission costs as much as we do"
 [[ $(table "$csv" 'all(float(r["bytes"]) == 4 * float(r["texels"]) > 0 for r in rows if r["lab"] == "05")') == True ]] && ok ||
     bad "a map takes four bytes a texel"
-[[ $(table "$csv" 'sorted({float(r["bytes"]) for r in rows if "z-fail" in r["method"]})') == "[$((64 * 48 * 12)).0]" ]] && ok ||
+[[ $(table "$csv" 'sorted({float(r["bytes"]) for r in rows if r["lab"] == "07"})') == "[$((64 * 48 * 12)).0]" ]] && ok ||
     bad "volumes take two colours, depth and stencil a pixel"
 bare='[r for r in rows if r["method"] == "no shadow"]'
 [[ $(table "$csv" "len($bare) == 1 and {$bare[0][k] for k in ('on_front', 'chosen', 'enough', 'counted')} == {'0'}") == True ]] && ok ||
