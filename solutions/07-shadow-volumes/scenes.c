@@ -139,12 +139,11 @@ static void make_short_sight(Scene *scene, Random *random) {
                 part_color(random));
 }
 
-// A fly close before the lamp, seen from near: its faces are tiny, its shadow is not. A number above 0 that
+// A fly close before the lamp, seen from near: its faces are tiny, its volume is not. A number above 0 that
 // is small for a box is large for it.
 static void make_fly(Scene *scene, Random *random) {
     const float half = random_range(random, 0.003f, 0.004f), away = 6 * half;
     part_begin(scene, random);
-    part_floor(scene, 6, random);
     vec3s lamp = beside(scene, random, 20, 60, random_range(random, 60, 75));
     lamp = glms_vec3_scale(lamp, random_range(random, 0.22f, 0.28f));
     vec3s fly = glms_vec3_sub(lamp, glms_vec3_scale(glms_vec3_normalize(lamp), away));
