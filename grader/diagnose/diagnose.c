@@ -10,6 +10,7 @@
 #include "exam/exam_matrix.h"
 #include "scene/check.h"
 #include "score/error_kind.h"
+#include "score/soft_kind.h"
 #include "score/whole_kind.h"
 
 #include <stdio.h>
@@ -108,12 +109,15 @@ static void suspect_noise(Diagnosis *this) {
     for (int i = 0; i < this->suspects.count; i++)
         if (!is_acquitted(this, this->suspects.tasks[i]))
             return;
+    if (this->suspects.count == 0)
+        return;
     for (int c = 0; c < this->result->check_count; c++) {
         const CheckResult *check = &this->result->checks[c];
         const int own = rubric_task_index(rubric, check->check->task);
         const Image *yours = &check->yours[check->worst];
+        const Image *reference = &this->exam->variants[c][check->worst].reference;
         if (this->failed[c] && own >= 0 && yours->rgba && !check->wrong_size &&
-            average_kind(yours, &this->exam->variants[c][check->worst].reference)) {
+            !soft_kind(yours, reference, true) && average_kind(yours, reference)) {
             this->suspects = (Suspects){.tasks = {own}, .count = 1};
             return;
         }

@@ -95,28 +95,35 @@ static const char *channel_kind(const Image *yours, const Image *reference, doub
     return NULL;
 }
 
-static int block_sum(const Image *image, int x, int y) {
-    int sum = 0;
-    for (int v = y; v < y + BLOCK; v++)
-        for (int u = x; u < x + BLOCK; u++)
-            sum += image->rgba[image_at(image, u, v)] + image->rgba[image_at(image, u, v) + 1] +
-                   image->rgba[image_at(image, u, v) + 2];
-    return sum;
+typedef struct Block {
+    int wrong;        // pixels
+    int change, size; // sum of the differences of their brightness, and of their sizes
+} Block;
+
+static Block look_at_block(const Image *yours, const Image *reference, int x, int y) {
+    Block block = {0};
+    for (int i = 0; i < BLOCK * BLOCK; i++) {
+        const size_t at = image_at(yours, x + i % BLOCK, y + i / BLOCK);
+        const uint8_t *a = yours->rgba + at, *b = reference->rgba + at;
+        const int change = a[0] + a[1] + a[2] - b[0] - b[1] - b[2];
+        block.wrong += differs(a, b);
+        block.change += change;
+        block.size += abs(change);
+    }
+    return block;
 }
 
-// Of the blocks that hold wrong pixels, the share whose mean is right within some noise.
+// Of the blocks that hold wrong pixels, the share whose mean is right within some noise: too bright and too
+// dark pixels cancel out.
 static double right_on_average(const Image *yours, const Image *reference) {
     double blocks = 0, right = 0;
     for (int y = 0; y + BLOCK <= yours->height; y += BLOCK)
         for (int x = 0; x + BLOCK <= yours->width; x += BLOCK) {
-            int wrong = 0;
-            for (int i = 0; i < BLOCK * BLOCK; i++) {
-                const size_t at = image_at(yours, x + i % BLOCK, y + i / BLOCK);
-                wrong += differs(yours->rgba + at, reference->rgba + at);
-            }
-            const int change = abs(block_sum(yours, x, y) - block_sum(reference, x, y));
-            blocks += wrong > BLOCK;
-            right += wrong > BLOCK && change <= 3 * BLOCK * BLOCK * 3 * SCORE_TOLERANCE;
+            const Block block = look_at_block(yours, reference, x, y);
+            const bool cancels = 2 * abs(block.change) <= block.size &&
+                                 abs(block.change) <= 3 * BLOCK * BLOCK * 3 * SCORE_TOLERANCE;
+            blocks += block.wrong > BLOCK;
+            right += block.wrong > BLOCK && cancels;
         }
     return blocks >= 8 ? right / blocks : 0;
 }

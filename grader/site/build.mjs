@@ -15,7 +15,7 @@ function rooms() {
   const group = "Rooms of the grader";
   const folders = readdirSync("grader").filter((name) => statSync(`grader/${name}`).isDirectory()).sort();
   return folders.flatMap((room) => {
-    const tables = readdirSync(`grader/${room}`).filter((name) => name.endsWith(".md") && name !== "README.md").sort();
+    const tables = readdirSync(`grader/${room}`).filter((name) => name.endsWith(".md") && !["README.md", "slides.md"].includes(name)).sort();
     const page = (name, file) => ({ source: `grader/${room}/${name}`, file: `grader-${room}${file}.html`, group });
     return [
       ...(existsSync(`grader/${room}/README.md`) ? [page("README.md", "")] : []),
@@ -29,6 +29,7 @@ const labs = readdirSync("labs").filter((name) => /^\d\d-[a-z-]+$/.test(name)).s
 const pages = [
   { source: "README.md", file: "index.html", label: "Start" },
   ...labs.map((name) => ({ source: `labs/${name}/README.md`, file: `${name}.html`, group: "Labs" })),
+  { source: "grader/site/slides.md", file: "slides.html", group: "More" },
   { source: "common/DEBUGGING.md", file: "debugging.html", group: "More" },
   ...[".github/CONTRIBUTING.md"].filter(existsSync).map((source) => ({ source, file: "contributing.html", group: "More" })),
   { source: "grader/README.md", file: "grader.html", group: "More" },

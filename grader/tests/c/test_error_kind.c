@@ -228,6 +228,18 @@ static void test_lost_edges(void **unused) {
     image_destroy(&without);
 }
 
+// A part that is brighter by little is not noise.
+static void test_little_is_no_noise(void **unused) {
+    (void)unused;
+    Image yours = picture(), reference = picture();
+    char text[300];
+    square(&yours, 50, 50, 40, LIGHT + 5);
+    error_kind(text, sizeof text, &yours, &reference, ERROR_VIEW_VALUES);
+    assert_null(strstr(text, "random numbers"));
+    image_destroy(&yours);
+    image_destroy(&reference);
+}
+
 // No word of shadows or ambient light where the view has none.
 static void test_words_fit_the_view(void **unused) {
     (void)unused;
@@ -251,6 +263,7 @@ int main(void) {
                                        cmocka_unit_test(test_ambient),
                                        cmocka_unit_test(test_whole_kinds),
                                        cmocka_unit_test(test_random_numbers),
+                                       cmocka_unit_test(test_little_is_no_noise),
                                        cmocka_unit_test(test_edges_of_other_softness),
                                        cmocka_unit_test(test_other_edges),
                                        cmocka_unit_test(test_lost_edges),

@@ -56,12 +56,13 @@ for source in sys.argv[2:]:
     count = len(re.findall(r"(?s)\$\$.+?\$\$|\$[^$]+\$", text))
     parts = source.split("/")
     room = "-".join(part.lower().removesuffix(".md") for part in parts if part != "README.md")
-    name = {"README.md": "index", "common/DEBUGGING.md": "debugging", ".github/CONTRIBUTING.md": "contributing"}.get(source)
+    name = {"README.md": "index", "common/DEBUGGING.md": "debugging", ".github/CONTRIBUTING.md": "contributing", "grader/site/slides.md": "slides"}.get(source)
     name = (name or (room if parts[0] == "grader" else parts[-2])) + ".html"
     if pages[name].math != count: say(name, "has", pages[name].math, "formulas,", source, "has", count)
 name, way = "index.html", []
 while name: way.append(name); name = pages[name].next
-if way != ["index.html", *sorted(n for n in pages if n[0].isdigit()), "debugging.html", "contributing.html", "grader.html", *sorted((n for n in pages if n.startswith("grader-")), key=lambda n: n[:-5])]: say("the way through the lectures is", way)
+if way != ["index.html", *sorted(n for n in pages if n[0].isdigit()), "slides.html", "debugging.html", "contributing.html", "grader.html", *sorted((n for n in pages if n.startswith("grader-")), key=lambda n: n[:-5])]: say("the way through the lectures is", way)
+if "slides.html" not in pages["index.html"].links: say("index.html has no link to slides.html")
 print(len(pages), "pages", sum(p.math for p in pages.values()), "formulas")
 sys.exit(wrong > 0)
 PYTHON
