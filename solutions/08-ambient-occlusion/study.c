@@ -50,7 +50,7 @@ static const StudyScene scenes[] = {
      "Ambient occlusion by what is nearer than 1",
      "a corner and a contact; rays in the truth, the bake and the screen are equally long",
      make_occlusion,
-     {.kind = TRUTH_OCCLUSION, .samples = 1024, .limit = 1, .seed = 1},
+     {.kind = TRUTH_OCCLUSION, .samples = 4096, .limit = 1, .seed = 1},
      false,
      STUDY_SOFT},
     {0},
