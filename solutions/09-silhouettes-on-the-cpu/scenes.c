@@ -160,7 +160,6 @@ static void make_eye(Scene *scene, Random *random) {
 static void make_near_cut(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 6, random);
-    part_casters(scene, random);
     vec3s eye = scene->camera.eye, view = glms_vec3_normalize(glms_vec3_sub(scene->camera.target, eye));
     vec3s right = glms_vec3_normalize(glms_vec3_cross(view, vec3_make(0, 1, 0)));
     vec3s up = glms_vec3_cross(right, view);
