@@ -25,7 +25,7 @@ typedef struct Grey {
 } Grey;
 
 static bool grey_create(Grey *grey, const Image *image) {
-    *grey = (Grey){image->width, image->height, malloc(sizeof *grey->at * image_bytes(image) / 4)};
+    *grey = (Grey){image->width, image->height, calloc(image_bytes(image) / 4, sizeof *grey->at)};
     for (size_t i = 0; grey->at && i < image_bytes(image) / 4; i++) {
         double sum = 0;
         for (size_t c = 0; c < CHANNELS; c++)
@@ -51,9 +51,9 @@ static void blur_line(double *out, const double *in, int count, int step, int ra
 
 // False when there is no memory. The caller frees out->at.
 static bool blur(Grey *out, const Grey *in, int radius) {
-    const size_t bytes = sizeof *in->at * (size_t)in->width * (size_t)in->height;
-    double *rows = malloc(bytes);
-    *out = (Grey){in->width, in->height, malloc(bytes)};
+    const size_t count = (size_t)in->width * (size_t)in->height;
+    double *rows = calloc(count, sizeof *rows);
+    *out = (Grey){in->width, in->height, calloc(count, sizeof *out->at)};
     for (int y = 0; rows && y < in->height; y++)
         blur_line(rows + y * in->width, in->at + y * in->width, in->width, 1, radius);
     for (int x = 0; rows && out->at && x < in->width; x++)

@@ -168,7 +168,8 @@ static bool flicker(LabSet *labs, Findings *findings, const char *lab, double fi
     const double unit = wall_seen / PICTURE, texel = 2 * half_map / MAP;
     float *frames = calloc(4 * PIXELS, sizeof *frames);
     double edge = 0, turned = 0; // texels
-    bool ok = frames || check_fail("out of memory for two frames");
+    bool ok = true;
+    INVARIANT(frames);
     *flicker = (Flicker){0};
     for (int n = 0; ok && n <= FRAMES; n++) {
         float *now = frames + (n % 2) * 2 * PIXELS, *before = frames + (1 - n % 2) * 2 * PIXELS;

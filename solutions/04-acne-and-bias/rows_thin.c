@@ -151,7 +151,8 @@ static bool run_leak(LabSet *labs, Findings *findings) {
     Curve *gap = figure_curve(figure, "bias of 0.0001", CURVE_EQUAL);
     bool ok = true;
     figure->log_x = figure->log_y = true;
-    for (double near_plane = 0.004; ok && near_plane < 0.03; near_plane *= 1.25) {
+    for (int i = 0; ok && i < 10; i++) {
+        const double near_plane = 0.004 * pow(1.25, i);
         const Scene scene = board_under_lamp(near_plane);
         Probe probe;
         ok = probe_begin(&probe, labs, LAB_ID, &scene, WIDTH, 12);

@@ -5,7 +5,7 @@ source "$(dirname "$0")/../helpers/lib.sh"
 
 copy=$work/copy
 mkdir -p "$copy/build"
-cp -r "$root"/{Makefile,.github,common,shaders,labs,solutions,grader,.clang-format} "$copy"
+cp -r "$root"/{Makefile,README.md,.github,common,shaders,labs,solutions,grader,.clang-format} "$copy"
 mkdir -p "$root/$BUILD/cache"
 cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,given,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
@@ -36,7 +36,7 @@ with $three/rubric.json 'j["checks"][0]["scene"] = "moon"' "${prove[@]}"
 expect "an unknown scene" 3 'rubric.json: checks[0] "depth map: spot light": scene: there is no scene "moon"; the scenes are'
 with $three/rubric.json 'j["checks"][0]["view"] = "moon"' "${prove[@]}"
 expect "an unknown stage" 3 'checks[0] "depth map: spot light": view: the lab has no stage "moon"'
-with $three/rubric.json 'j["checks"][7]["scene"] = "table sun"' build/grade --lab 03 --seed 1 labs
+with $three/rubric.json 'j["checks"][8]["scene"] = "table sun"' build/grade --lab 03 --seed 1 labs
 expect "a check whose task does not show" 3 'check "dark behind the spot light": seed 1 gives only' "of 3 variants in which the task shows" "fix the rubric"
 
 # The gates.
