@@ -183,14 +183,14 @@ static void make_overlap(Scene *scene, Random *random) {
 }
 
 // A spot light in the picture that shines to the left or right: two casters in a line with it, a larger one
-// in its plane, so that this shadow lies partly behind the light, and one behind it.
+// in its plane, so that this shadow lies partly behind the light.
 static void shine_across(Scene *scene, Random *random, float side) {
     vec3s lamp = vec3_make(-side * random_range(random, 0.3f, 0.8f), random_range(random, 1.7f, 2.1f), 0);
     vec3s aim = glms_vec3_add(lamp, vec3_make(3 * side, random_range(random, -0.8f, 0), 0));
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 3; i++) {
         float r = random_range(random, 0.3f, 0.45f) + (i == 2 ? 0.2f : 0);
         vec3s center = lamp;
-        center.x += side * (i < 2 ? 1 + (float)i : i == 2 ? 0 : -1.2f);
+        center.x += side * (i < 2 ? 1 + (float)i : 0);
         center.y += i == 2 ? random_range(random, -0.9f, -0.7f) : random_range(random, -0.2f, 0.1f);
         center.z += i == 2 ? random_range(random, 0.5f, 0.8f) : random_range(random, -0.2f, 0.2f);
         part_object(scene, i % 2 ? SHAPE_SPHERE : SHAPE_BOX, center, vec3_make(r, r, r),
