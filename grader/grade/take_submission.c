@@ -13,17 +13,23 @@
 
 typedef struct Ignored {
     const Rubric *rubric;
-    const char *folder;
+    char taken[RUBRIC_MAX_FILES][FIND_FILE_NAME]; // under which name each file of the rubric lies there
     LabResult *result;
     int count;
 } Ignored;
 
+static void find_files(Ignored *ignored, const char *folder) {
+    for (int i = 0; i < ignored->rubric->file_count; i++)
+        if (!find_file(ignored->taken[i], folder, ignored->rubric->files[i]))
+            ignored->taken[i][0] = '\0';
+}
+
 // Is it taken for a file of the lab? Then, under another name, that is said.
 static bool is_taken(const Ignored *ignored, const char *name) {
-    char found[FIND_FILE_NAME], text[600];
+    char text[600];
     for (int i = 0; i < ignored->rubric->file_count; i++) {
         const char *wanted = ignored->rubric->files[i];
-        if (!find_file(found, ignored->folder, wanted) || strcmp(found, name) != 0)
+        if (strcmp(ignored->taken[i], name) != 0)
             continue;
         snprintf(text, sizeof text, "%.255s is taken for %.255s", name, wanted);
         if (strcmp(wanted, name) != 0)
@@ -69,7 +75,9 @@ static bool compile(bool *ok, WorkerClient *student, const Rubric *rubric, const
 bool take_submission(LabResult *result, WorkerClient *student, const Rubric *rubric, const char *submission) {
     static char log[COMPILE_LOG], text[COMPILE_LOG + 4096];
     check_clear();
-    Ignored ignored = {rubric, submission, result, 0};
+    Ignored ignored = {.rubric = rubric, .result = result};
+    find_files(&ignored, submission);
+    check_clear();
     bool ok = files_check_folder(submission) && files_list(submission, note_ignored, &ignored);
     if (ok && !compile(&ok, student, rubric, submission, log))
         return false;

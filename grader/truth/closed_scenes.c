@@ -39,6 +39,13 @@ void closed_light(Scene *scene, LightKind kind, vec3s position, vec3s target, fl
                                                   .far_plane = far_plane};
 }
 
+Scene closed_wall_and_box(vec3s to_light, vec3s center, vec3s half_size) {
+    Scene scene = closed_wall(6, 10, glm_rad(40));
+    closed_add(&scene, SHAPE_BOX, center, half_size, 0);
+    closed_light(&scene, LIGHT_DIRECTIONAL, to_light, vec3_make(0, 0, 0), 0, 10, 1, 20);
+    return scene;
+}
+
 void closed_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn) {
     closed_add(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), turn);
     mat4s *placed = &scene->objects[scene->object_count - 1].world_from_object;

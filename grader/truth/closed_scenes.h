@@ -20,6 +20,10 @@ void closed_add(Scene *scene, Shape shape, vec3s center, vec3s half_size, float 
 void closed_light(Scene *scene, LightKind kind, vec3s position, vec3s target, float fov_y, float half_size,
                   float near_plane, float far_plane);
 
+// A wall under parallel light along -to_light with a box before it, the camera 10 before the wall: the eye
+// may be moved into the box's shadow.
+Scene closed_wall_and_box(vec3s to_light, vec3s center, vec3s half_size);
+
 // Adds a plane that stands at `middle` and faces +z, and is then turned about +y (degrees).
 void closed_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn);
 

@@ -26,19 +26,12 @@ static bool add_point(const Counting *method, const Scene *scene, double x, doub
     return ok;
 }
 
-// A wall under parallel light with a box before it.
-static Scene wall_and_box(vec3s to_light, vec3s center, vec3s half_size) {
-    Scene scene = closed_wall(6, 10, glm_rad(40));
-    closed_add(&scene, SHAPE_BOX, center, half_size, 0);
-    closed_light(&scene, LIGHT_DIRECTIONAL, to_light, vec3_make(0, 0, 0), 0, 10, 1, 20);
-    return scene;
-}
-
 static bool sweep_eye(const Counting *method) {
     bool ok = true;
     for (int i = 0; ok && i <= 16; i++) {
         float x = -1.6f + 0.2f * (float)i;
-        Scene scene = wall_and_box(vec3_make(0, 0, 10), vec3_make(0, 0, 5), vec3_make(0.5f, 0.5f, 0.1f));
+        Scene scene =
+            closed_wall_and_box(vec3_make(0, 0, 10), vec3_make(0, 0, 5), vec3_make(0.5f, 0.5f, 0.1f));
         scene.camera.eye = vec3_make(x, 0, 4);
         scene.camera.target = vec3_make(x, 0, 0);
         scene.camera.near_plane = 0.05f;
@@ -59,7 +52,8 @@ static bool run_eye(LabSet *labs, Findings *findings) {
 static bool sweep_near(const Counting *method) {
     bool ok = true;
     for (int i = 0; ok && i <= 16; i++) {
-        Scene scene = wall_and_box(vec3_make(10, 0, 3), vec3_make(3, 0, 5), vec3_make(0.3f, 0.5f, 0.3f));
+        Scene scene =
+            closed_wall_and_box(vec3_make(10, 0, 3), vec3_make(3, 0, 5), vec3_make(0.3f, 0.5f, 0.3f));
         scene.camera.near_plane = 0.5f + 0.5f * (float)i;
         ok = add_point(method, &scene, scene.camera.near_plane, scene.camera.near_plane,
                        method->method == Z_PASS);
@@ -81,7 +75,8 @@ static bool sweep_far(const Counting *method, bool cut) {
     const float behind[] = {0.1f, 0.25f, 0.5f, 1, 1.5f, 2, 3, 4, 6, 8};
     bool ok = true;
     for (size_t i = 0; ok && i < COUNT(behind); i++) {
-        Scene scene = wall_and_box(vec3_make(10, 0, 10), vec3_make(2, 0, 2), vec3_make(0.5f, 0.8f, 0.5f));
+        Scene scene =
+            closed_wall_and_box(vec3_make(10, 0, 10), vec3_make(2, 0, 2), vec3_make(0.5f, 0.8f, 0.5f));
         scene.camera.far_plane = 10 + behind[i];
         ok = add_point(method, &scene, behind[i], scene.camera.far_plane, cut);
     }

@@ -56,19 +56,12 @@ static bool add_point(const Counting *counting, const Scene *scene, double x, bo
     return ok;
 }
 
-// A wall under parallel light with a box before it.
-static Scene wall_and_box(vec3s to_light, vec3s center, vec3s half_size) {
-    Scene scene = closed_wall(6, 10, glm_rad(40));
-    closed_add(&scene, SHAPE_BOX, center, half_size, 0);
-    closed_light(&scene, LIGHT_DIRECTIONAL, to_light, vec3_make(0, 0, 0), 0, 10, 1, 20);
-    return scene;
-}
-
 static bool sweep_eye(const Counting *counting) {
     bool ok = true;
     for (int i = 0; ok && i <= 16; i++) {
         float x = -1.6f + 0.2f * (float)i;
-        Scene scene = wall_and_box(vec3_make(0, 0, 10), vec3_make(0, 0, 5), vec3_make(0.5f, 0.5f, 0.1f));
+        Scene scene =
+            closed_wall_and_box(vec3_make(0, 0, 10), vec3_make(0, 0, 5), vec3_make(0.5f, 0.5f, 0.1f));
         scene.camera.eye = vec3_make(x, 0, 4);
         scene.camera.target = vec3_make(x, 0, 0);
         scene.camera.near_plane = 0.05f;
@@ -81,7 +74,8 @@ static bool sweep_eye(const Counting *counting) {
 static bool sweep_near(const Counting *counting) {
     bool ok = true;
     for (int i = 0; ok && i <= 16; i++) {
-        Scene scene = wall_and_box(vec3_make(10, 0, 3), vec3_make(3, 0, 5), vec3_make(0.3f, 0.5f, 0.3f));
+        Scene scene =
+            closed_wall_and_box(vec3_make(10, 0, 3), vec3_make(3, 0, 5), vec3_make(0.3f, 0.5f, 0.3f));
         scene.camera.near_plane = 0.5f + 0.5f * (float)i;
         ok = add_point(counting, &scene, scene.camera.near_plane, counting->change != NULL);
     }

@@ -11,15 +11,9 @@
 enum { SIZE = 240, MOST_PLATES = 4 };
 static const double field = 40, distance = 10; // of the camera: degrees, world units
 
-// A square plate in a plane z = center.z.
-typedef struct Plate {
-    vec3s center;
-    float half;
-} Plate;
-
 // A wall through the origin, turned about +y, with plates before it.
 typedef struct Setup {
-    Plate plates[MOST_PLATES];
+    WitnessPlate plates[MOST_PLATES];
     int plate_count;
     double turn; // degrees
     LightKind kind;
@@ -44,15 +38,7 @@ static Scene make_scene(const Setup *setup) {
 
 // Does a plate, made larger by `margin`, cut the segment from the point to the end?
 static bool is_cut(const Setup *setup, vec3s point, vec3s end, float margin) {
-    for (int i = 0; i < setup->plate_count; i++) {
-        const Plate *plate = &setup->plates[i];
-        float t = (plate->center.z - point.z) / (end.z - point.z);
-        vec3s at = glms_vec3_lerp(point, end, t);
-        if (t > 0 && t < 1 && fabsf(at.x - plate->center.x) < plate->half + margin &&
-            fabsf(at.y - plate->center.y) < plate->half + margin)
-            return true;
-    }
-    return false;
+    return witness_cuts(setup->plates, setup->plate_count, point, end, margin);
 }
 
 // Light that reaches the point: of n x n regular lamps on the square, or of a sun.
@@ -133,7 +119,7 @@ static void test_between(void **unused) {
     for (size_t i = 0; i < COUNT(heights); i++) {
         Setup setup = lamp_and_plate();
         setup.plate_count = 2;
-        setup.plates[1] = (Plate){{{-2.2f, -0.4f, heights[i]}}, 0.4f};
+        setup.plates[1] = (WitnessPlate){{{-2.2f, -0.4f, heights[i]}}, 0.4f};
         compare(&setup, "a plate past the lamp, or behind the wall");
     }
 }
@@ -144,8 +130,8 @@ static void test_once(void **unused) {
     Setup setup = lamp_and_plate();
     setup.opacity = 0.4f;
     setup.plate_count = 3;
-    setup.plates[1] = (Plate){{{-1.5f, 0.3f, 2.6f}}, 0.4f};
-    setup.plates[2] = (Plate){{{-1.9f, 0.1f, 3.2f}}, 0.3f};
+    setup.plates[1] = (WitnessPlate){{{-1.5f, 0.3f, 2.6f}}, 0.4f};
+    setup.plates[2] = (WitnessPlate){{{-1.9f, 0.1f, 3.2f}}, 0.3f};
     compare(&setup, "three plates of glass");
 }
 
@@ -169,7 +155,7 @@ static void test_penumbra(void **unused) {
         Setup setup = lamp_and_plate();
         setup.extent = 0.4f;
         setup.lamps = n;
-        const Plate *plate = &setup.plates[0];
+        const WitnessPlate *plate = &setup.plates[0];
         Scene scene = make_scene(&setup);
         const WitnessKnob knobs[] = {{"lamps", (float)n}, {"jitter", 0}};
         Image image = witness_draw(LAB_ID, &scene, "visibility", SIZE, SIZE, knobs, 2);

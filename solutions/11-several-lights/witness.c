@@ -12,14 +12,8 @@
 enum { SIZE = 200, MAP_SIZE = 256, MOST_PLATES = 6 };
 static const double field = 40, distance = 10; // of the camera: degrees, world units
 
-// A square plate in a plane z = center.z.
-typedef struct Plate {
-    vec3s center;
-    float half;
-} Plate;
-
 typedef struct Setup {
-    Plate plates[MOST_PLATES];
+    WitnessPlate plates[MOST_PLATES];
     int plate_count;
     Light lights[SCENE_MAX_LIGHTS];
     int light_count;
@@ -44,15 +38,7 @@ static Scene make_scene(const Setup *setup) {
 
 // Does a plate, made larger by `margin`, cut the segment from the point to the end?
 static bool is_cut(const Setup *setup, vec3s point, vec3s end, float margin) {
-    for (int i = 0; i < setup->plate_count; i++) {
-        const Plate *plate = &setup->plates[i];
-        float t = (plate->center.z - point.z) / (end.z - point.z);
-        vec3s at = glms_vec3_lerp(point, end, t);
-        if (t > 0 && t < 1 && fabsf(at.x - plate->center.x) < plate->half + margin &&
-            fabsf(at.y - plate->center.y) < plate->half + margin)
-            return true;
-    }
-    return false;
+    return witness_cuts(setup->plates, setup->plate_count, point, end, margin);
 }
 
 static vec3s end_of(const Light *light, vec3s point) {
@@ -196,7 +182,7 @@ static void test_penumbra(void **unused) {
     (void)unused;
     for (int n = 2; n <= 8; n *= 2) {
         Setup setup = {.plates = {{{{-1.2f, 0.2f, 2}}, 0.5f}}, .plate_count = 1};
-        const Plate *plate = &setup.plates[0];
+        const WitnessPlate *plate = &setup.plates[0];
         add_light(&setup, LIGHT_SPOT, vec3_make(-3, 0.3f, 5), vec3_make(-3, 0.3f, 0));
         setup.lights[0].extent = 0.4f;
         const Scene scene = make_scene(&setup);

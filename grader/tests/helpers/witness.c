@@ -52,3 +52,15 @@ void witness_refuses(const char *id, const Scene *scene, const char *words) {
     assert_non_null(strstr(draw(id, &request, &image), words));
     image_destroy(&image);
 }
+
+bool witness_cuts(const WitnessPlate *plates, int count, vec3s point, vec3s end, float margin) {
+    for (int i = 0; i < count; i++) {
+        const WitnessPlate *plate = &plates[i];
+        float t = (plate->center.z - point.z) / (end.z - point.z);
+        vec3s at = glms_vec3_lerp(point, end, t);
+        if (t > 0 && t < 1 && fabsf(at.x - plate->center.x) < plate->half + margin &&
+            fabsf(at.y - plate->center.y) < plate->half + margin)
+            return true;
+    }
+    return false;
+}

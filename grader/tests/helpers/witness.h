@@ -16,3 +16,12 @@ typedef struct WitnessKnob {
 } WitnessKnob;
 Image witness_draw(const char *id, const Scene *scene, const char *view, int width, int height,
                    const WitnessKnob *knobs, int knob_count);
+
+// A square plate in a plane z = center.z, thin enough to cut segments by hand.
+typedef struct WitnessPlate {
+    vec3s center;
+    float half;
+} WitnessPlate;
+
+// Does one of the plates, made larger by `margin`, cut the segment from the point to the end?
+bool witness_cuts(const WitnessPlate *plates, int count, vec3s point, vec3s end, float margin);
