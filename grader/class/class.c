@@ -143,9 +143,18 @@ static bool grade_all(Class *class) {
     return ok;
 }
 
-static void print_list(const Roster *roster) {
-    for (int i = 0; i < roster->count; i++)
-        puts(roster->entries[i].file);
+// All names, or with --resume those that it would grade.
+static bool print_list(const Class *class) {
+    const Roster *roster = &class->roster;
+    int *jobs = calloc((size_t)roster->count + 1, sizeof *jobs), count = roster->count;
+    INVARIANT(jobs);
+    for (int i = 0; i < count; i++)
+        jobs[i] = i;
+    const bool ok = !class->settings->resume || choose(class, jobs, &count);
+    for (int i = 0; ok && i < count; i++)
+        puts(roster->entries[jobs[i]].file);
+    free(jobs);
+    return ok;
 }
 
 static void note_ignored(const Roster *roster) {
@@ -191,16 +200,14 @@ bool class_run(const ClassSettings *settings) {
     static Class class;
     class.settings = settings;
     class.plan.lock = -1;
-    bool ok = roster_read(&class.roster, settings->folder, settings->output, settings->all_attempts);
-    if (ok && settings->list) {
-        print_list(&class.roster);
-    } else if (ok && grade_class(&class)) {
+    bool ok = roster_read(&class.roster, settings->folder, settings->output, settings->all_attempts) &&
+              (settings->list ? print_list(&class) : grade_class(&class));
+    if (!ok) {
+        fprintf(stderr, "grade: %s\n", check_message());
+    } else if (!settings->list) {
         note_ignored(&class.roster);
         say_end(&class);
         ok = class.not_graded == 0;
-    } else {
-        fprintf(stderr, "grade: %s\n", check_message());
-        ok = false;
     }
     run_settings_close(&class.plan);
     roster_destroy(&class.roster);

@@ -3,6 +3,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "exam/handed_out.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -137,7 +138,10 @@ bool run_settings_session(const RunSettings *plan, const Jail *jail, Session *se
                                      .seed = plan->seed,
                                      .jail = jail,
                                      .no_swap = plan->no_swap,
+                                     .hidden = !handed_out_alone(),
                                      .evidence = true},
+                         .attempts = !handed_out_alone(),
+                         .secret = plan->seed,
                          .keep = true,
                          .complete = true};
     for (int i = 0; i < plan->lab_count; i++)
