@@ -122,7 +122,8 @@ bool run_settings_open(RunSettings *plan, const ClassSettings *settings) {
     } else if (!from_file(plan, path) || !agrees(plan, settings)) {
         return false;
     }
-    return from_file(plan, path) && (settings->gather || take_lock(plan, path, !settings->only));
+    return from_file(plan, path) &&
+           (settings->gather || settings->list || take_lock(plan, path, !settings->only));
 }
 
 void run_settings_close(RunSettings *plan) {
