@@ -56,10 +56,21 @@ suite --row 17
 expect "one row" 0 "17  pass"
 [[ $(json 'json.dumps(rows[0])') == "$all" ]] && ok || bad "a row alone gives the same numbers"
 
-# faulty ROW LAB MISTAKE: the row must fail when the lab draws with this mistake.
+# Its slider goes through the frames of the sweep, each a small PNG.
+python3 -c 'import base64,json,re,struct,sys
+page = open(sys.argv[1]).read()
+(reel,) = re.findall(r"<figure class=\"reel\".*?<script type=\"application/json\">(.*?)</script>", page)
+pictures = [base64.b64decode(bytes) for words, bytes in json.loads(reel)]
+sizes = [struct.unpack(">II", p[16:24]) for p in pictures]
+assert len(pictures) > 5 and len(set(pictures)) > 5 and len({words for words, bytes in json.loads(reel)}) > 5
+assert f"max=\"{len(pictures) - 1}\"" in page and all(0 < w <= 330 for w, h in sizes) and max(map(len, pictures)) < 60000' \
+    "$page" 2>&1 && ok || bad "the slider has the frames of the sweep"
+
+# faulty ROW LAB MISTAKE: the row must fail when the lab draws with this mistake, by what is measured.
 faulty() {
     suite --row "$1" --mistake "$2:$3"
     expect "row $1 fails when $3" 1 "$1  fail"
+    grep -q "^ *$1  fail .*, expected " <<<"$out" && ok || bad "row $1 measures that $3" "$out"
 }
 faulty 2 04 "the bias is halved: it is taken in [-1, 1], not in the map's [0, 1]"
 faulty 3 04 "the factor is left at 0: the offset does not depend on the slope"
