@@ -1,3 +1,4 @@
+// Moves the light or the camera step by step, traces what is true, and sums up what a method changes besides.
 #include "study/motion.h"
 
 #include "scene/check.h"

@@ -30,8 +30,8 @@ static void add_methods(MethodList *list, const char *scene) {
         for (int way = FROM_EYE; way <= Z_FAIL; way++)
             add(list, way, by_neighbours, 0);
     add(list, FROM_ZERO, 0, 0);
-    add(list, FROM_EYE, 0, 0.5f);
-    add(list, Z_FAIL, 0, 2);
+    add(list, FROM_EYE, 0, 0.25f);
+    add(list, Z_FAIL, 0, 4);
 }
 
 const LabStudy LAB_TABLE[] = {{.add_methods = add_methods}};
