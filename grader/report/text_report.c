@@ -1,3 +1,5 @@
+// Prints a report as text: a line a check, where to look first, a bar a lab; on a terminal in colours and
+// broken at words.
 #include "report/report.h"
 
 #include <string.h>

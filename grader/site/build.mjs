@@ -28,7 +28,7 @@ const partOf = (head) => parts.find((part) => part.head === head);
 const joined = (those) => those.map(({ head, body }) => `## ${head}${body}`).join("");
 const forTeachers = partOf("For teaching assistants");
 const others = parts.filter(({ head }) => !["The labs", "For students"].includes(head));
-const students = partOf("For students")?.body ?? before.replace(/^# .*/, "") + joined(others);
+const students = partOf("For students")?.body.replace(/^###/gm, "##") ?? before.replace(/^# .*/, "") + joined(others);
 
 // What each room of the grader says of itself: its README first, and then its tables.
 function rooms() {

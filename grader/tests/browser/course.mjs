@@ -50,7 +50,7 @@ await page.keyboard.press('Enter');
 check('a key unfolds it', await answer.locator('p').first().isVisible());
 check('a slide stands at a task', (await page.locator('.chips li', { hasText: '000 10.3' }).count()) > 0);
 const words = (await answer.locator('p').first().textContent()).split(' ').slice(0, 12).join(' ');
-await page.goto(url(`search.html?q=${encodeURIComponent(words)}`));
+await page.goto(`${url('search.html')}?q=${encodeURIComponent(words)}`);
 check('no answer is found', (await hits()).length === 0, words);
 await browser.close();
 finish();
