@@ -3,6 +3,7 @@ import {
   copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync,
 } from "node:fs";
 import path from "node:path";
+import { withFigure } from "./figures.mjs";
 import { escape, render } from "./pages.mjs";
 
 const output = process.argv[2];
@@ -86,7 +87,10 @@ function write(page, title, html) {
 ${html}${turn(page)}
 </main>
 `;
-  const holes = { policy, title: name, style, content };
+  const { play } = page;
+  const holes = {
+    policy: play ? `${play.policy}; ${policy}` : policy, title: name, style: play ? style + play.style : style, content,
+  };
   writeFileSync(path.join(output, page.file), shell.replace(/{{(\w+)}}/g, (_, hole) => holes[hole]));
 }
 
@@ -94,9 +98,10 @@ rmSync(output, { recursive: true, force: true });
 mkdirSync(output, { recursive: true });
 for (const page of pages) {
   Object.assign(page, render(page.source, site));
+  page.play = withFigure(page.html, path.basename(page.file, ".html"));
   page.label ??= escape(page.title.replace(/^Lab (\d\d): /, "$1 "));
 }
-for (const page of pages) write(page, page.title, page.html);
+for (const page of pages) write(page, page.title, page.play?.html ?? page.html);
 for (const [file, target] of listings) {
   const text = escape(readFileSync(file, "utf8"));
   write({ file: target }, file, `<h1>${escape(file)}</h1>\n<pre tabindex="0" class="listing"><code>${text}</code></pre>\n`);
