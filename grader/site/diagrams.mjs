@@ -2,7 +2,8 @@
 // describes them. --check writes nothing and prints what is not as described. Run in the project's folder, by `make diagrams`.
 import { existsSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
-import { file, sketch } from "./sketch.mjs";
+import { file } from "./ink.mjs";
+import { sketch } from "./sketch.mjs";
 
 // The diagrams of a lab: each has a file's name, a size in pixels, a title and a text for who cannot see it, and draws itself.
 async function drawn(folder) {

@@ -2,7 +2,7 @@
 // network and no other file.
 import { createHash } from "node:crypto";
 import { existsSync, readFileSync } from "node:fs";
-import { palettes, rules } from "./sketch.mjs";
+import { palettes, rules } from "./ink.mjs";
 
 const here = (name) => readFileSync(new URL(name, import.meta.url), "utf8");
 

@@ -40,9 +40,12 @@ function draw(s, state) {
   const ends = [-1, 1].map((side) => [board[0] + (side * width) / 2, board[1]]);
   s.area([...ends, [truth[1], 0], [truth[0], 0]], "half");
   s.line([-5, 0], [5, 0], "surface");
-  if (map) s.line([map[0], 0], [map[1], 0], "blue");
-  s.line([truth[0], 0], [truth[1], 0], "yellow");
-  if (map && map[0] < truth[1] && map[1] > truth[0]) s.line([Math.max(map[0], truth[0]), 0], [Math.min(map[1], truth[1]), 0], "shade");
+  const piece = (from, to, kind) => from < to && s.line([from, 0], [to, 0], kind), [a, b] = truth, [c, d] = map ?? [b, b];
+  piece(c, Math.min(d, a), "blue");
+  piece(Math.max(c, b), d, "blue");
+  piece(a, Math.min(b, c), "yellow");
+  piece(Math.max(a, d), b, "yellow");
+  piece(Math.max(a, c), Math.min(b, d), "shade");
   s.line(...ends, "surface");
   for (const i of range(texels)) {
     const d = kept(i, state), at = [lamp[0] + slope * ((2 * (i + 0.5)) / texels - 1) * d, lamp[1] - d];

@@ -38,11 +38,11 @@ function volume(s) {
   s.line(left, right, "lamp");
   s.line(...ends, "mark");
   s.text(left, "near cap", "w", "lamp");
-  s.text(along(right, ends[1], 0.6), "side", "e", "mark");
+  s.text(along(left, ends[0], 0.75), "side", "w", "mark");
   s.text(along(...ends, 0.5), "far cap", "n", "mark");
   s.text(right, "*p*", "e");
   s.text([ends[1][0] + 0.25, 0.4], "*p*′ = *p* + *k V*", "e", "mark");
-  s.text([ends[1][0] + 0.4, 0], "or endless: (*V*, 0)", "e", "small");
+  s.text([ends[1][0] + 0.25, 0], "or endless: (*V*, 0)", "e", "small");
   const eye = [2.0, 1.9], point = [5.5, 1.3], out = along(eye, point, meet(eye, point, right, ends[1]));
   s.arrow(eye, point, "eye");
   s.line(eye, lamp, "dashed");
@@ -56,7 +56,7 @@ function volume(s) {
 export const diagrams = [{
   name: "volume", width: 640, height: 310, draw(s) {
     edges(s.panel({ origin: [28, 204], unit: 50 }));
-    volume(s.panel({ origin: [288, 286], unit: 52 }));
+    volume(s.panel({ origin: [280, 286], unit: 52 }));
   },
   title: "The silhouette and the volume behind it",
   text: "Left two lit triangles: their common edge is gone over twice, in opposite directions, and leaves the set; the others are the silhouette. Right a box under a lamp " +

@@ -69,7 +69,7 @@ function numbers(state) {
   const [[a, b]] = borders(state), level = state.tilt === 0;
   rows.push(["penumbra, drawn", fixed(Math.abs(b - a))]);
   if (level) rows.push(["penumbra, s h / (H − h)", fixed((state.side * low) / (height - low))]);
-  if (state.side > 0) rows.push(["levels of light", String(state.count + 1)], ["worst error, at most 1 / (2n)", `${fixed(worst(state), 3)} of ${fixed(1 / (2 * state.count), 3)}`]);
+  if (state.side > 0) rows.push(["levels of light", String(state.count + 1)], ["worst error", fixed(worst(state), 3)], ["at most 1 / (2n)", fixed(1 / (2 * state.count), 3)]);
   return rows;
 }
 
