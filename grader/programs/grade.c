@@ -1,5 +1,7 @@
 // The grader, of one submission or of a whole class. See grader/README.md.
 #include "scene/check.h"
+#include "book/compare.h"
+#include "book/gradebook.h"
 #include "class/class.h"
 #include "intake/archive.h"
 #include "jail/jail.h"
@@ -23,8 +25,10 @@ enum { EXIT_ALL_PASSED, EXIT_NOT_ALL, EXIT_COULD_NOT = 3 }; // and EXIT_USAGE
 
 typedef struct GradeCommand {
     const char *submission, *output;
+    const char *compare; // the older of two outputs of class runs; `submission` is the newer
     ReportFormat format;
     bool record, trusted;
+    GradebookSettings book;
     ClassSettings class; // what a class and one submission have in common is here, too
 } GradeCommand;
 
@@ -86,6 +90,15 @@ static const Option options[] = {
      take_only},
     {"gather", 0, NULL, "grade nothing; make grades.csv and index.html from the results", AT(class.gather),
      option_flag},
+    {"roster", 0, "FILE", "a CSV of who takes the course; OUT keeps it, so that it is given once",
+     AT(book.files.roster), option_text},
+    {"overrides", 0, "FILE", "a CSV of points that people gave: student,lab,points,note; OUT keeps it",
+     AT(book.files.overrides), option_text},
+    {"due", 0, "FILE", "a JSON of due dates and what lateness costs; OUT keeps it", AT(book.files.late),
+     option_text},
+    {"compare", 0, "OLD",
+     "who has other points in OUT NEW than in OLD, and by which checks; --output DIR: also\nDIR/changes.csv",
+     AT(compare), option_text},
     {"list", 0, NULL, "print the names of the results, one a line", AT(class.list), option_flag},
     {0}};
 #undef AT
@@ -108,7 +121,7 @@ static bool check_class(GradeCommand *command, const Operands *operands) {
     if (operands->count > 0)
         return check_fail("with --class there is no SUBMISSION: \"%s\"", operands->texts[0]);
     return (class->output || class->list || check_fail("--class needs --output OUT")) &&
-           is_folder(class->folder);
+           is_folder(class->folder) && book_check_files(&command->book.files);
 }
 
 static bool check(void *settings, const Operands *operands) {
@@ -116,17 +129,23 @@ static bool check(void *settings, const Operands *operands) {
     const ClassSettings *class = &command->class;
     if (command->trusted && class->route != JAIL_NONE)
         return check_fail("--trusted and --jail exclude each other");
-    if (class->folder)
+    if (class->folder && !command->compare)
         return check_class(command, operands);
+    if (command->book.files.roster || command->book.files.overrides || command->book.files.late)
+        return check_fail("--roster, --overrides and --due go with --class");
     if (class->jobs || class->resume || class->gather || class->list || class->only)
         return check_fail("-j, --resume, --only, --gather and --list go with --class");
     command->submission = operands->texts[0];
+    if (command->compare)
+        return operands->count == 1 && !class->folder
+                   ? is_folder(command->compare) && is_folder(command->submission)
+                   : check_fail("--compare takes two folders, OLD and NEW, and no --class");
     return operands->count == 1 ? can_be_opened(command->submission) : check_fail("give one SUBMISSION");
 }
 
 static const CommandLine command_line = {
     .program = "grade",
-    .forms = "[options] SUBMISSION\n[options] --class DIR --output OUT",
+    .forms = "[options] SUBMISSION\n[options] --class DIR --output OUT\n--compare OLD NEW [--output DIR]",
     .about = "Grades a SUBMISSION: a folder or an archive in which the labs' folders lie at any depth.\n",
     .options = options,
     .ending =
@@ -197,15 +216,24 @@ static int grade_submission(const GradeCommand *command) {
     return status;
 }
 
+static int compare(const GradeCommand *command) {
+    if (compare_outputs(command->compare, command->submission, command->output, stdout))
+        return EXIT_ALL_PASSED;
+    fprintf(stderr, "grade: %s\n", check_message());
+    return EXIT_COULD_NOT;
+}
+
 static int grade(GradeCommand *command) {
     ClassSettings *class = &command->class;
+    if (command->compare)
+        return compare(command);
     if (!class->seeded && !exam_file_draw_seed(&class->seed)) {
         fprintf(stderr, "grade: %s\n", check_message());
         return EXIT_COULD_NOT;
     }
     if (!class->folder)
         return grade_submission(command);
-    return class_run(class) ? EXIT_ALL_PASSED : EXIT_COULD_NOT;
+    return class_run(class, gradebook_write, &command->book) ? EXIT_ALL_PASSED : EXIT_COULD_NOT;
 }
 
 int main(int count, char **arguments) {
