@@ -33,7 +33,7 @@ class Page(html.parser.HTMLParser):
         if tag in self.stack:
             while self.stack.pop() != tag: pass
     def handle_data(self, data):
-        if not {"code", "pre", "annotation", "style"} & set(self.stack): self.text += data
+        if not {"code", "pre", "annotation", "style", "script"} & set(self.stack): self.text += data
 site = pathlib.Path(sys.argv[1])
 pages = {f.name: Page(f) for f in site.glob("*.html")}
 wrong = 0
