@@ -70,6 +70,9 @@ new-lab: ### begin a new lab from a template: make new-lab LAB=09 NAME="soft sha
 pictures: build ### draw the pictures of the handouts: make pictures [LAB=03]
 	@$(SCRIPTS)/pictures $(LAB_OPERAND)
 
+diagrams: ### draw the diagrams of the handouts: make diagrams [LAB=03] (needs node); then make skeletons
+	@node grader/site/diagrams.mjs $(LAB_OPERAND)
+
 contexts: build ### do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
 	@$(SCRIPTS)/contexts $(BUILD) $(LAB_OPERAND)
 

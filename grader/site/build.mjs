@@ -4,6 +4,7 @@ import {
 } from "node:fs";
 import path from "node:path";
 import { colored, languageOf } from "./code.mjs";
+import { withFigure } from "./figures.mjs";
 import { gallery } from "./gallery.mjs";
 import { addAnswer, addMeasured, addSlides } from "./handout.mjs";
 import { describe, landing } from "./landing.mjs";
@@ -112,8 +113,8 @@ function measured(lab) {
 
 function decorate(page, slides) {
   const folder = [`solutions/${page.lab}`, `grader/recorded/${page.lab}`].find(existsSync);
-  const html = addAnswer(addSlides(page.html, slides), folder);
-  return addMeasured(html, measured(page.lab));
+  const html = addMeasured(addAnswer(addSlides(page.html, slides), folder), measured(page.lab));
+  return withFigure(html, page.lab) ?? { html };
 }
 
 // The first picture of a page.
@@ -151,7 +152,7 @@ for (const page of pages.filter(({ source }) => source)) {
 }
 wrong.html = gallery(labs);
 const slides = slidesOfTasks(read("slides.md"));
-for (const page of labs) page.html = decorate(page, slides);
+for (const page of labs) Object.assign(page, decorate(page, slides));
 start.html = makeStart();
 Object.assign(finder, search(pages.filter(({ html }) => html), read("search.js")));
 for (const page of pages) write(page);

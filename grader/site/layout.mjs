@@ -40,7 +40,7 @@ function turn(pages, page) {
   return at < 0 ? "" : `<nav class="turn" aria-label="Previous and next page">${links}</nav>`;
 }
 
-// The whole page. `page` has file, title and html, and the part of the policy that it alone needs.
+// The whole page. `page` has file, title and html, and the style and the part of the policy that it alone needs.
 export function frame(page, pages, style, shell) {
   const name = page.title === "Shadow Lab" ? page.title : `${page.title} - Shadow Lab`;
   const content = `<a class="skip" href="#text">To the text</a>
@@ -49,6 +49,6 @@ ${navigation(pages, page)}
 ${page.html}${turn(pages, page)}
 </main>
 `;
-  const holes = { policy: `${page.policy ?? ""}img-src 'self' file: data:`, title: name, style, content };
+  const holes = { policy: `${page.policy ? `${page.policy}; ` : ""}img-src 'self' file: data:`, title: name, style: style + (page.style ?? ""), content };
   return shell.replace(/{{(\w+)}}/g, (_, hole) => holes[hole]);
 }

@@ -2,7 +2,7 @@
 import { createHash } from "node:crypto";
 
 const text = (html) => html
-  .replace(/<annotation[^]*?<\/annotation>/g, "").replace(/<(style|details|svg)\b[^]*?<\/\1>/g, " ")
+  .replace(/<annotation[^]*?<\/annotation>/g, "").replace(/<(style|details|svg|script)\b[^]*?<\/\1>/g, " ")
   .replace(/<[^>]*>/g, " ").replace(/&lt;/g, "<").replace(/&gt;/g, ">").replace(/&quot;/g, '"').replace(/&amp;/g, "&")
   .replace(/\s+/g, " ").trim();
 
@@ -26,5 +26,5 @@ export function search(pages, script) {
 <ol id="found"></ol>
 <script>${code}</script>
 `;
-  return { html, policy: `script-src 'sha256-${createHash("sha256").update(code).digest("base64")}'; ` };
+  return { html, policy: `script-src 'sha256-${createHash("sha256").update(code).digest("base64")}'` };
 }
