@@ -102,4 +102,10 @@ mkdir "$work/bin" && for tool in bash dirname cat grep sort paste tr ldconfig; d
 runs env PATH="$work/bin" common/setup
 expect "setup without apt-get" 1 "setup: missing: make gcc" "sudo dnf install" "sudo pacman -S" "brew install"
 
+# A test that waits for ever.
+rm grader/tests/shell/*
+mkdir hang && printf '#!/bin/sh\nsleep 1000\n' >hang/test_hang && chmod +x hang/test_hang
+runs env PATIENCE=1 grader/tests/run hang
+expect "a test that waits for ever" 1 "stopped after 1 s" "0 passed, 1 failed"
+
 finish

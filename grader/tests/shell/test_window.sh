@@ -43,8 +43,9 @@ close_window() {
 }
 headless() { "$frame" --lab 03 --scene "$scene" --size $size "$@" "$work/wanted.png"; }
 same() { [[ $(compare -metric AE "$1" "$2" null: 2>&1) == 0 ]]; }
-shows() { import -window "$window" "$work/now.png" && same "$work/now.png" "$work/wanted.png"; }
-keeps() { import -window "$window" "$work/now.png" && ! same "$work/now.png" "$work/wanted.png"; }
+picture() { [[ -n $window ]] && import -window "$window" "$work/now.png"; } # without a name import would wait for a click
+shows() { picture && same "$work/now.png" "$work/wanted.png"; }
+keeps() { picture && ! same "$work/now.png" "$work/wanted.png"; }
 titled() { [[ $(xdotool getwindowname "$window") == *"$1"* ]]; }
 told() { grep -qF -- "$1" "$work/log"; }
 keys() { xdotool key --window "$window" "$@"; }
@@ -91,7 +92,7 @@ headless && cp "$work/wanted.png" "$work/solution.png" && headless --skeleton
 without_line() { convert "$1" -fill black -draw "rectangle 116,0 124,179" "$1"; }
 convert "$work/wanted.png" \( "$work/solution.png" -crop 120x180+120+0 +repage \) -geometry +120+0 -composite "$work/wanted.png"
 without_line "$work/wanted.png"
-halves() { import -window "$window" "$work/now.png" && without_line "$work/now.png" && same "$work/now.png" "$work/wanted.png"; }
+halves() { picture && without_line "$work/now.png" && same "$work/now.png" "$work/wanted.png"; }
 wait_for "3 shows mine and the reference" halves
 xdotool windowsize "$window" 300 200
 keys 2
@@ -153,6 +154,7 @@ for part in labs shaders common; do ln -s "$root/$part" "$work/kit/$part"; done
 ln -s "$root/grader/window" "$work/kit/grader/window"
 ln -s "$root/$BUILD/include" "$work/kit/$BUILD/include"
 ln -s "$root/$BUILD/given" "$work/kit/$BUILD/given"
+"$root/$BUILD/record_exams" --lab 03 "$work/kit/grader/recorded" 1 >/dev/null
 view=$work/kit/$BUILD/view
 headless --skeleton
 open_window
