@@ -18,6 +18,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -200,15 +201,26 @@ static bool all_passed(const Report *report) {
     return passed;
 }
 
+static bool record_lab(Progress *progress, const LabResult *lab, const Session *session) {
+    MistakesMet met = {0};
+    for (int i = 0; i < session->lab_count; i++)
+        for (int c = 0; c < lab->check_count && strcmp(session->examiners[i].rubric.id, lab->id) == 0; c++)
+            if (lab->checks[c].has_cause && !lab->checks[c].undone)
+                mistakes_met_add(&met, &session->examiners[i].rubric, lab->checks[c].mistake);
+    return progress_record(progress, lab->id, lab->score, lab->max_score, result_done(lab), &met);
+}
+
 // What does not compile is no step back: only labs that were drawn are noted.
-static void record(const Report *report) {
+static void record(const Report *report, const Session *session, bool told) {
     static Progress progress;
     for (int i = 0; i < report->lab_count; i++) {
         const LabResult *lab = &report->labs[i];
         check_clear();
-        if (lab->status <= LAB_FAILED &&
-            !progress_record(&progress, lab->id, lab->score, lab->max_score, result_done(lab)))
+        if (lab->status <= LAB_FAILED && !record_lab(&progress, lab, session))
             fprintf(stderr, "grade: %s\n", check_message());
+        if (told && result_done(lab))
+            printf("Lab %s is done. The answer to its question, and what to try: make answer LAB=%s\n",
+                   lab->id, lab->id);
     }
     if (progress.note[0])
         fprintf(stderr, "grade: %s\n", progress.note);
@@ -233,7 +245,7 @@ static int grade_submission(const GradeCommand *command) {
     else
         fprintf(stderr, "grade: could not grade: %s\n", check_message());
     if (command->record && status != EXIT_COULD_NOT)
-        record(&report);
+        record(&report, &session, command->format == REPORT_TEXT);
     session_free(&report);
     session_close(&session);
     jail_destroy(&jail);
