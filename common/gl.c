@@ -3,6 +3,7 @@
 #include "gl.h"
 
 #include "gl_blit.h"
+#include "gl_subroutines.h"
 #include "remark.h"
 
 #include "scene/check.h"
@@ -147,6 +148,7 @@ bool gl_load(GLADloadfunc load) {
     if (version < GLAD_MAKE_VERSION(4, 1))
         return check_fail("this context offers OpenGL %d.%d; 4.1 core is needed (install Mesa's llvmpipe)",
                           GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version));
+    gl_subroutines_guard();
     gladSetGLPreCallback(before_call);
     gladSetGLPostCallback(after_call);
     gladInstallGLDebug();

@@ -26,6 +26,10 @@ enum {
     RUBRIC_MAX_HINT = 1400,
     RUBRIC_MAX_EDIT = 1 << 14, // the text of an edit
 
+    // Of what is told when a lab is done.
+    AFTERWORD_MAX_PARTS = 6,   // of the answer, or things to try
+    AFTERWORD_MAX_TEXT = 1400, // of a part
+
     // All that is drawn for one lab: the solution, the skeleton, the solution without the task of a check,
     // the lab solved up to each task, with each mistake, each alternative, and with parts as handed out.
     EXAM_MAX_PAINTERS =

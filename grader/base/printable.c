@@ -102,3 +102,11 @@ void printable_file_name(char file[ESCAPE_FILE_NAME], const char *bytes) {
     if (length == 0)
         file[0] = '_';
 }
+
+size_t printable_utf8(const char *text) {
+    const char *at = text;
+    uint32_t code;
+    for (int length = 1; *at && length > 0; at += length)
+        length = sequence((const unsigned char *)at, &code);
+    return (size_t)(at - text);
+}

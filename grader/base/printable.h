@@ -1,6 +1,8 @@
 // Names of any bytes as text, and as safe file names.
 #pragma once
 
+#include <stddef.h>
+
 enum { ESCAPE_FILE_NAME = 48 };
 
 // The name as text that fits JSON, CSV, HTML and a terminal: printable UTF-8 stays, a backslash becomes \\,
@@ -14,3 +16,6 @@ char *printable_undo(const char *text);
 // A file name for what belongs to the name: its first letters and digits, then a hash of all of it (FNV-1a,
 // 64 bits).
 void printable_file_name(char file[ESCAPE_FILE_NAME], const char *bytes);
+
+// How many bytes of the text are UTF-8, as RFC 3629 has it, before the first that are not.
+size_t printable_utf8(const char *text);

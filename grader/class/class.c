@@ -3,7 +3,7 @@
 #include "class/class.h"
 
 #include "scene/check.h"
-#include "class/grade_tables.h"
+#include "class/run_log.h"
 #include "jail/self_test.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
@@ -12,6 +12,7 @@
 #include "class/submission_record.h"
 #include "base/progress_bar.h"
 #include "class/roster.h"
+#include "class/regrade.h"
 #include "class/run_folder.h"
 
 #include <stdlib.h>
@@ -23,9 +24,12 @@ enum { TRIES = 2 };
 
 typedef struct Class {
     const ClassSettings *settings;
+    ClassTables make_tables;
+    void *context; // of make_tables
     Jail jail;
     Roster roster;
     RunSettings plan;
+    Origin origin;
     Session session; // of a process of the pool, once it has graded something
     bool ready;
     ProgressBar bar;
@@ -44,11 +48,13 @@ static bool is_to_blame(const Class *class, const Report *report) {
 static bool grade_entry(Class *class, const RosterEntry *entry, Report *report) {
     char path[FILES_PATH];
     bool made;
+    const HandInFacts facts = hand_in_facts(&class->roster, entry); // as it was before it was graded
     if (!class->ready)
         class->ready = run_settings_session(&class->plan, &class->jail, &class->session);
     bool ok = class->ready && roster_fetch(&class->roster, entry, path, &made) &&
               session_grade(&class->session, path, report) && is_to_blame(class, report) &&
-              submission_record_write(class->settings->output, entry, report);
+              submission_record_write(class->settings->output, entry, report,
+                                      origin_json(&class->origin, &class->plan, facts.hash), &facts);
     if (class->ready && made)
         files_remove(path);
     return ok;
@@ -78,6 +84,7 @@ static void finished(const Outcome *outcome, void *context) {
         if (!submission_record_write_failure(class->settings->output, entry, outcome->reason))
             fprintf(stderr, "grade: %s\n", check_message());
     }
+    run_log(class->settings->output, "%s", length < 0 ? entry->shown : line);
     progress_bar_step(&class->bar, length < 0 ? entry->shown : line, !outcome->done);
     free(reason);
     if (length >= 0)
@@ -93,12 +100,8 @@ static bool choose(const Class *class, int *jobs, int *count) {
         if (jobs[(*count)++] < 0)
             return false;
     }
-    for (int i = 0; !settings->only && i < class->roster.count; i++) {
-        json_t *record = submission_record_read(settings->output, &class->roster.entries[i]);
-        if (!submission_record_is_graded(record))
-            jobs[(*count)++] = i;
-        json_decref(record);
-    }
+    if (!settings->only)
+        *count = regrade_choose(jobs, settings->output, &class->roster, &class->plan, &class->origin);
     return true;
 }
 
@@ -168,14 +171,32 @@ static bool grade_rest(Class *class) {
     return ok;
 }
 
+// Makes the tables. A run of the whole class has as many submissions without a grade as the tables have.
+static bool gather(Class *class) {
+    const ClassSettings *settings = class->settings;
+    const int turn = run_log_enter(settings->output);
+    Table table;
+    int not_graded = 0;
+    table_read(&table, settings->output, &class->roster, &class->plan, &class->origin);
+    for (int i = 0; i < class->roster.count; i++)
+        not_graded += !table_is_graded(&table, i);
+    if (!settings->only)
+        class->not_graded = not_graded;
+    const bool ok = class->make_tables(&table, settings, class->context);
+    table_free(&table);
+    run_log_leave(turn);
+    return ok;
+}
+
 static bool grade_class(Class *class) {
     const ClassSettings *settings = class->settings;
     if (!make_folders(settings->output) || !run_settings_open(&class->plan, settings))
         return false;
+    if (!origin_read(&class->origin, &class->plan))
+        return false;
     if (settings->only)
-        return grade_in_jail(class);
-    return (settings->gather || grade_rest(class)) &&
-           grade_tables_write(settings->output, &class->roster, &class->plan, &class->not_graded);
+        return grade_in_jail(class) && gather(class);
+    return (settings->gather || grade_rest(class)) && gather(class);
 }
 
 static void say_end(const Class *class) {
@@ -187,9 +208,11 @@ static void say_end(const Class *class) {
         printf("--resume tries again what is not graded\n");
 }
 
-bool class_run(const ClassSettings *settings) {
+bool class_run(const ClassSettings *settings, ClassTables make_tables, void *context) {
     static Class class;
     class.settings = settings;
+    class.make_tables = make_tables;
+    class.context = context;
     class.plan.lock = -1;
     bool ok = roster_read(&class.roster, settings->folder, settings->output, settings->all_attempts);
     if (ok && settings->list) {

@@ -3,7 +3,12 @@
 #pragma once
 
 #include "class/class_settings.h"
+#include "class/table.h"
 
-// Grades, and writes what it finds to settings->output. False when something is not graded; what and why is
-// on standard error or in the table.
-bool class_run(const ClassSettings *settings);
+// Makes tables and pages in settings->output of the records there. False with a message.
+typedef bool (*ClassTables)(const Table *table, const ClassSettings *settings, void *context);
+
+// Grades what has no grade yet, or one of something else than is there now, and lets `make_tables` make the
+// tables, one process at a time. False when something is not graded; what and why is on standard error or in
+// the table.
+bool class_run(const ClassSettings *settings, ClassTables make_tables, void *context);

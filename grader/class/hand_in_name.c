@@ -1,6 +1,7 @@
 #include "class/hand_in_name.h"
 
 #include "scene/check.h"
+#include "class/hand_in_time.h"
 #include "intake/archive.h"
 #include "intake/lab_name.h"
 #include "scene/count.h"
@@ -14,13 +15,13 @@
 // A POSIX extended expression and which of its groups tell what; 0: none.
 static const struct {
     const char *pattern;
-    int student, id, attempt, late, file;
+    int student, id, attempt, late, file, time;
 } forms[] = {
-    {"^(.+)_([0-9]+)_assignsubmission_(file|onlinetext)_?(.*)$", 1, 2, 0, 0, 4},
-    {"^(.+_)?([^_]+)_attempt_([0-9]{4}(-[0-9]{2}){5})(_(.+))?$", 2, 2, 3, 0, 6},
-    {"^([[:alnum:]-]+)(_LATE)?_([0-9]+)_([0-9]+)_(.+)$", 1, 3, 4, 2, 5},
-    {"^submission_([0-9]+)$", 1, 1, 0, 0, 0},
-    {"^[0-9]+-[0-9]+ ?- (.+) - (.+)$", 1, 0, 0, 0, 0},
+    {"^(.+)_([0-9]+)_assignsubmission_(file|onlinetext)_?(.*)$", 1, 2, 0, 0, 4, 0},
+    {"^(.+_)?([^_]+)_attempt_([0-9]{4}(-[0-9]{2}){5})(_(.+))?$", 2, 2, 3, 0, 6, 3},
+    {"^([[:alnum:]-]+)(_LATE)?_([0-9]+)_([0-9]+)_(.+)$", 1, 3, 4, 2, 5, 0},
+    {"^submission_([0-9]+)$", 1, 1, 0, 0, 0, 0},
+    {"^[0-9]+-[0-9]+ ?- (.+) - (.+)$", 1, 0, 0, 0, 0, 2},
 };
 enum { GROUPS = 8 };
 
@@ -32,6 +33,7 @@ static void take(char text[HAND_IN_TEXT], const char *name, const regmatch_t *ma
 static bool read_form(HandInName *hand_in, const char *name, size_t f) {
     regex_t form;
     regmatch_t groups[GROUPS] = {0};
+    char date[HAND_IN_TEXT];
     int wrong = regcomp(&form, forms[f].pattern, REG_EXTENDED);
     INVARIANT(wrong == 0);
     const bool fits = regexec(&form, name, GROUPS, groups, 0) == 0;
@@ -45,6 +47,11 @@ static bool read_form(HandInName *hand_in, const char *name, size_t f) {
         take(hand_in->attempt, name, &groups[forms[f].attempt]);
     if (forms[f].file)
         take(hand_in->file, name, &groups[forms[f].file]);
+    if (forms[f].time) {
+        take(date, name, &groups[forms[f].time]);
+        if (!hand_in_time_parse(&hand_in->time, date))
+            hand_in->time = 0;
+    }
     hand_in->late = forms[f].late && groups[forms[f].late].rm_so >= 0;
     return true;
 }

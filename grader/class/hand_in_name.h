@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdbool.h>
+#include <time.h>
 
 enum { HAND_IN_TEXT = 256 };
 
@@ -12,6 +13,7 @@ typedef struct HandInName {
                                 // be ""
     char file[HAND_IN_TEXT];    // the name that the student gave the file; "" when the name does not hold it
     bool late;
+    time_t time; // when it was handed in; 0: the name does not tell
 } HandInName;
 
 // The forms, tried in this order: Moodle "Full Name_ID_assignsubmission_file_", Blackboard

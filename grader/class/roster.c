@@ -104,7 +104,8 @@ static RosterEntry *add_entry(Roster *roster, const HandIn *source, const char *
                            .shown = printable_name(name),
                            .student = printable_name(source->told.student),
                            .id = printable_name(source->told.id),
-                           .late = source->told.late};
+                           .late = source->told.late,
+                           .time = source->told.time};
     INVARIANT(entry->name);
     printable_file_name(entry->file, name);
     return entry;
@@ -116,6 +117,7 @@ static void add_loose(RosterEntry *entry, const HandIn *source) {
     INVARIANT(entry->loose[entry->loose_count]);
     entry->loose_count++;
     entry->late = entry->late || source->told.late;
+    entry->time = source->told.time > entry->time ? source->told.time : entry->time;
 }
 
 // The loose files of one student are one hand-in. Of two files that he has named alike the newer counts.

@@ -5,6 +5,7 @@
 #include "base/files.h"
 
 #include <stdbool.h>
+#include <time.h>
 
 typedef struct RosterEntry {
     char *name;                  // as it stands in the folder, any bytes; of loose files "STUDENT_ID"
@@ -12,6 +13,7 @@ typedef struct RosterEntry {
     char file[ESCAPE_FILE_NAME]; // names its files in OUT
     char *student, *id;          // what the name tells of who it is, as text; "" for no id
     bool late;
+    time_t time;  // when it was handed in, where the name tells; else 0
     char **loose; // names of the files, where they lie loose in the class's folder; NULL: a folder or archive
     int loose_count;
 } RosterEntry;

@@ -1,6 +1,7 @@
 // The records of a class, read once, and what its reports look up in them.
 #pragma once
 
+#include "class/origin.h"
 #include "class/run_settings.h"
 #include "class/roster.h"
 
@@ -10,11 +11,14 @@
 typedef struct Table {
     const Roster *roster;
     const RunSettings *plan;
-    json_t **records; // one an entry, NULL where there is none
+    json_t **records;           // one an entry, NULL where there is none
+    char (*stale)[ORIGIN_TEXT]; // one an entry: what is another now than when it was graded; "" for nothing
 } Table;
 
-// Reads the records of the roll's entries from OUT. Roll and plan must outlive the table.
-void table_read(Table *table, const char *output, const Roster *roster, const RunSettings *plan);
+// Reads the records of the roll's entries from OUT. Roll and plan must outlive the table. Stale is what was
+// graded by another rubric than today's, and where several graders were at work, what was not by this one.
+void table_read(Table *table, const char *output, const Roster *roster, const RunSettings *plan,
+                const Origin *origin);
 void table_free(Table *table); // accepts a zeroed table
 
 // Has entry i a grade?

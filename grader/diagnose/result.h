@@ -68,6 +68,7 @@ typedef struct LabResult {
     char id[3];
     char name[64]; // the title, a copy
     LabStatus status;
+    bool missing; // not handed in: no points, and no part of any mean
     double score, max_score;
     double speed_ratio;        // CPU time to the solution's, median over the frames; 0 when nothing was drawn
     char message[RESULT_TEXT]; // what went wrong as a whole, "" when nothing did

@@ -86,6 +86,7 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
         name_missing(submission, &examiner->rubric, text, sizeof text);
         grade_begin(result, &examiner->rubric);
         grade_refuse(result, text);
+        result->missing = !submission_nameless(submission) && !submission->why[0];
     }
     grade_warn(result, submission->note);
     if (ok && result_was_drawn(result)) // whatever the exam was drawn for before

@@ -1,5 +1,7 @@
 // The grader, of one submission or of a whole class. See grader/README.md.
 #include "scene/check.h"
+#include "book/compare.h"
+#include "book/gradebook.h"
 #include "class/class.h"
 #include "intake/archive.h"
 #include "jail/jail.h"
@@ -16,6 +18,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -23,8 +26,10 @@ enum { EXIT_ALL_PASSED, EXIT_NOT_ALL, EXIT_COULD_NOT = 3 }; // and EXIT_USAGE
 
 typedef struct GradeCommand {
     const char *submission, *output;
+    const char *compare; // the older of two outputs of class runs; `submission` is the newer
     ReportFormat format;
     bool record, trusted;
+    GradebookSettings book;
     ClassSettings class; // what a class and one submission have in common is here, too
 } GradeCommand;
 
@@ -86,6 +91,15 @@ static const Option options[] = {
      take_only},
     {"gather", 0, NULL, "grade nothing; make grades.csv and index.html from the results", AT(class.gather),
      option_flag},
+    {"roster", 0, "FILE", "a CSV of who takes the course; OUT keeps it, so that it is given once",
+     AT(book.files.roster), option_text},
+    {"overrides", 0, "FILE", "a CSV of points that people gave: student,lab,points,note; OUT keeps it",
+     AT(book.files.overrides), option_text},
+    {"due", 0, "FILE", "a JSON of due dates and what lateness costs; OUT keeps it", AT(book.files.late),
+     option_text},
+    {"compare", 0, "OLD",
+     "who has other points in OUT NEW than in OLD, and by which checks; --output DIR: also\nDIR/changes.csv",
+     AT(compare), option_text},
     {"list", 0, NULL, "print the names of the results, one a line", AT(class.list), option_flag},
     {0}};
 #undef AT
@@ -108,7 +122,7 @@ static bool check_class(GradeCommand *command, const Operands *operands) {
     if (operands->count > 0)
         return check_fail("with --class there is no SUBMISSION: \"%s\"", operands->texts[0]);
     return (class->output || class->list || check_fail("--class needs --output OUT")) &&
-           is_folder(class->folder);
+           is_folder(class->folder) && book_check_files(&command->book.files);
 }
 
 static bool check(void *settings, const Operands *operands) {
@@ -116,17 +130,23 @@ static bool check(void *settings, const Operands *operands) {
     const ClassSettings *class = &command->class;
     if (command->trusted && class->route != JAIL_NONE)
         return check_fail("--trusted and --jail exclude each other");
-    if (class->folder)
+    if (class->folder && !command->compare)
         return check_class(command, operands);
+    if (command->book.files.roster || command->book.files.overrides || command->book.files.late)
+        return check_fail("--roster, --overrides and --due go with --class");
     if (class->jobs || class->resume || class->gather || class->list || class->only)
         return check_fail("-j, --resume, --only, --gather and --list go with --class");
     command->submission = operands->texts[0];
+    if (command->compare)
+        return operands->count == 1 && !class->folder
+                   ? is_folder(command->compare) && is_folder(command->submission)
+                   : check_fail("--compare takes two folders, OLD and NEW, and no --class");
     return operands->count == 1 ? can_be_opened(command->submission) : check_fail("give one SUBMISSION");
 }
 
 static const CommandLine command_line = {
     .program = "grade",
-    .forms = "[options] SUBMISSION\n[options] --class DIR --output OUT",
+    .forms = "[options] SUBMISSION\n[options] --class DIR --output OUT\n--compare OLD NEW [--output DIR]",
     .about = "Grades a SUBMISSION: a folder or an archive in which the labs' folders lie at any depth.\n",
     .options = options,
     .ending =
@@ -157,15 +177,26 @@ static bool all_passed(const Report *report) {
     return passed;
 }
 
+static bool record_lab(Progress *progress, const LabResult *lab, const Session *session) {
+    MistakesMet met = {0};
+    for (int i = 0; i < session->lab_count; i++)
+        for (int c = 0; c < lab->check_count && strcmp(session->examiners[i].rubric.id, lab->id) == 0; c++)
+            if (lab->checks[c].has_cause && !lab->checks[c].undone)
+                mistakes_met_add(&met, &session->examiners[i].rubric, lab->checks[c].mistake);
+    return progress_record(progress, lab->id, lab->score, lab->max_score, result_done(lab), &met);
+}
+
 // What does not compile is no step back: only labs that were drawn are noted.
-static void record(const Report *report) {
+static void record(const Report *report, const Session *session, bool told) {
     static Progress progress;
     for (int i = 0; i < report->lab_count; i++) {
         const LabResult *lab = &report->labs[i];
         check_clear();
-        if (lab->status <= LAB_FAILED &&
-            !progress_record(&progress, lab->id, lab->score, lab->max_score, result_done(lab)))
+        if (lab->status <= LAB_FAILED && !record_lab(&progress, lab, session))
             fprintf(stderr, "grade: %s\n", check_message());
+        if (told && result_done(lab))
+            printf("Lab %s is done. The answer to its question, and what to try: make answer LAB=%s\n",
+                   lab->id, lab->id);
     }
     if (progress.note[0])
         fprintf(stderr, "grade: %s\n", progress.note);
@@ -190,22 +221,31 @@ static int grade_submission(const GradeCommand *command) {
     else
         fprintf(stderr, "grade: could not grade: %s\n", check_message());
     if (command->record && status != EXIT_COULD_NOT)
-        record(&report);
+        record(&report, &session, command->format == REPORT_TEXT);
     session_free(&report);
     session_close(&session);
     jail_destroy(&jail);
     return status;
 }
 
+static int compare(const GradeCommand *command) {
+    if (compare_outputs(command->compare, command->submission, command->output, stdout))
+        return EXIT_ALL_PASSED;
+    fprintf(stderr, "grade: %s\n", check_message());
+    return EXIT_COULD_NOT;
+}
+
 static int grade(GradeCommand *command) {
     ClassSettings *class = &command->class;
+    if (command->compare)
+        return compare(command);
     if (!class->seeded && !exam_file_draw_seed(&class->seed)) {
         fprintf(stderr, "grade: %s\n", check_message());
         return EXIT_COULD_NOT;
     }
     if (!class->folder)
         return grade_submission(command);
-    return class_run(class) ? EXIT_ALL_PASSED : EXIT_COULD_NOT;
+    return class_run(class, gradebook_write, &command->book) ? EXIT_ALL_PASSED : EXIT_COULD_NOT;
 }
 
 int main(int count, char **arguments) {

@@ -45,11 +45,11 @@ static json_t *lab_json(const LabResult *lab) {
     json_t *checks = json_array();
     for (int c = 0; c < lab->check_count; c++)
         json_array_append_new(checks, check_json(&lab->checks[c]));
-    return json_pack("{s:s, s:s, s:f, s:f, s:s, s:s, s:s, s:f, s:o, s:o}", "id", lab->id, "name", lab->name,
-                     "score", rounded(lab->score, 0.01), "max_score", lab->max_score, "status",
-                     result_status_name(lab->status), "message", lab->message, "warnings", lab->warnings,
-                     "speed_ratio", rounded(lab->speed_ratio, 0.001), "summary", summary_json(lab), "checks",
-                     checks);
+    return json_pack("{s:s, s:s, s:b, s:f, s:f, s:s, s:s, s:s, s:f, s:o, s:o}", "id", lab->id, "name",
+                     lab->name, "handed_in", !lab->missing, "score", rounded(lab->score, 0.01), "max_score",
+                     lab->max_score, "status", result_status_name(lab->status), "message", lab->message,
+                     "warnings", lab->warnings, "speed_ratio", rounded(lab->speed_ratio, 0.001), "summary",
+                     summary_json(lab), "checks", checks);
 }
 
 json_t *report_json(const Report *report) {

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# What makes a check, and a lab, fail beside wrong pixels: a stage of another size, a refused call, a single failed check.
+# What makes a check, and a lab, fail beside wrong pixels: a stage of another size, a refused call, a single failed check,
+# what the driver does not survive.
 set -u
 source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
@@ -41,5 +42,11 @@ for search in "" --no-swap; do
 done
 grades --lab 03 --seed 1 --trusted "$single"
 [[ $out != *"first frame"* ]] && ok || bad "wrong in each frame" "$out"
+
+# The C part of lab 01 done before its shader: no uniform of a subroutine is there to be chosen.
+early=$(solved early 01)
+cp labs/01-subroutines/shade.frag "$early"/01-*/
+grades --lab 01 --seed 1 --trusted "$early"
+[[ $status == 1 && $out != *crashed* ]] && ok || bad "nothing to choose is no crash" "$out"
 
 finish

@@ -1,0 +1,44 @@
+#include "book/book.h"
+
+#include "scene/check.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+void book_note(BookRow *row, const char *text) {
+    char *longer;
+    const int length = asprintf(&longer, "%s%s%s", row->note ? row->note : "", row->note ? "; " : "", text);
+    INVARIANT(length >= 0);
+    free(row->note);
+    row->note = longer;
+}
+
+const Student *book_student(const Book *book, const BookRow *row) {
+    return row->student >= 0 ? &book->list.students[row->student] : NULL;
+}
+
+const char *book_name(const Book *book, const BookRow *row) {
+    const Student *student = book_student(book, row);
+    if (student && student->fields[STUDENT_NAME][0])
+        return student->fields[STUDENT_NAME];
+    return row->entry >= 0 ? book->table->roster->entries[row->entry].student : student_key(student);
+}
+
+const char *book_id(const Book *book, const BookRow *row) {
+    const Student *student = book_student(book, row);
+    const char *key = student ? student_key(student) : "";
+    if (key[0] && key != student->fields[STUDENT_NAME])
+        return key;
+    return row->entry >= 0 ? book->table->roster->entries[row->entry].id : "";
+}
+
+const char *book_status(const Book *book, const BookRow *row) {
+    return row->entry >= 0 ? table_status(book->table, row->entry) : "not handed in";
+}
+
+bool book_has_points(const Book *book, const BookRow *row) {
+    for (int n = 0; n < book->table->plan->lab_count; n++)
+        if (row->marks[n].known)
+            return true;
+    return false;
+}

@@ -1,0 +1,55 @@
+// The gradebook: what was measured, who takes the course, what people decided, and what lateness costs.
+#pragma once
+
+#include "book/late_rule.h"
+#include "book/overrides.h"
+#include "book/student_list.h"
+#include "class/table.h"
+
+enum { BOOK_NONE = -1 };
+
+// A student's points in a lab.
+typedef struct BookMark {
+    bool measured;  // there is a grade
+    bool handed_in; // ... of something
+    bool known;     // there are points, measured or given by hand
+    double score;   // measured
+    double points;  // what counts
+    double maximum; // 0 where nothing was measured
+    int late_days;  // in all
+    int free_days;  // of them
+    double taken;   // points that the lateness took
+    bool overridden;
+} BookMark;
+
+typedef struct BookRow {
+    int entry;                       // of the table; BOOK_NONE: nothing was handed in
+    int student;                     // of the list; BOOK_NONE: not on it, or there is no list
+    BookMark marks[COURSE_MAX_LABS]; // of the plan's labs
+    double total;                    // of what counts
+    char *note;                      // what people should know, as text; "" for nothing
+} BookRow;
+
+typedef struct Book {
+    const Table *table;
+    bool listed, ruled; // there is a list; there are overrides or a rule for lateness
+    StudentList list;
+    Overrides overrides;
+    LateRule late;
+    BookRow *rows; // the table's entries in their order, then who handed in nothing, in the list's order
+    int count;
+} Book;
+
+// Appends to what people should know of a row.
+void book_note(BookRow *row, const char *text);
+
+// Who it is: by the list, else by the name of the hand-in. Texts.
+const char *book_name(const Book *book, const BookRow *row);
+const char *book_id(const Book *book, const BookRow *row);
+const Student *book_student(const Book *book, const BookRow *row); // NULL: not on the list
+
+// "passed", "failed" or "not graded" as it was measured, else "not handed in".
+const char *book_status(const Book *book, const BookRow *row);
+
+// Are there points, measured or given by hand, in any lab?
+bool book_has_points(const Book *book, const BookRow *row);

@@ -1,0 +1,17 @@
+// Makes a gradebook of the records and of what people wrote.
+#pragma once
+
+#include "book/book.h"
+
+// The files that a book is made by; NULL: the one of that name that OUT holds, if it does.
+typedef struct BookFiles {
+    const char *roster, *overrides, *late;
+} BookFiles;
+
+// Can the files be read? False with a message.
+bool book_check_files(const BookFiles *files);
+
+// Keeps the files in OUT as roster.csv, overrides.csv and due.json, and makes the book. False with a
+// message.
+bool book_open(Book *book, const Table *table, const char *output, const BookFiles *files);
+void book_close(Book *book); // accepts a zeroed book

@@ -1,0 +1,56 @@
+#include "book/gradebook.h"
+
+#include "book/class_page.h"
+#include "book/grades_csv.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+static bool write_page(const Book *book, const char *output) {
+    char path[FILES_PATH], *page = class_page(book, NULL);
+    files_join(path, output, "index.html");
+    const bool ok = page && files_write_whole(path, page, true);
+    free(page);
+    return ok;
+}
+
+static void say_list(const Book *book) {
+    int missing = 0;
+    for (int r = 0; r < book->count; r++) {
+        const BookRow *row = &book->rows[r];
+        missing += row->entry < 0;
+        if (book->listed && row->student < 0)
+            fprintf(stderr, "grade: roster: \"%s\": %s\n", book->table->roster->entries[row->entry].shown,
+                    row->note);
+    }
+    if (missing > 0)
+        fprintf(stderr, "grade: roster: %d of %d handed in nothing\n", missing, book->list.count);
+}
+
+static void say_stale(const Book *book) {
+    const Table *table = book->table;
+    const char *first = NULL;
+    int count = 0;
+    for (int i = 0; i < table->roster->count; i++)
+        if (table->stale[i][0]) {
+            first = first ? first : table->stale[i];
+            count++;
+        }
+    if (count > 0)
+        fprintf(stderr, "grade: %d were graded with %s than today's: --resume grades them again\n", count,
+                first);
+}
+
+bool gradebook_write(const Table *table, const ClassSettings *settings, void *context) {
+    const GradebookSettings *wanted = context;
+    Book book;
+    if (!book_open(&book, table, settings->output, &wanted->files))
+        return false;
+    const bool ok = grades_csv_write(settings->output, &book) && write_page(&book, settings->output);
+    if (!settings->only) {
+        say_list(&book);
+        say_stale(&book);
+    }
+    book_close(&book);
+    return ok;
+}

@@ -1,0 +1,203 @@
+#!/usr/bin/env bash
+# The gradebook of a class: the list of students, overrides, lateness, what is graded again. One small class is graded once.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+class=$work/class output=$work/out
+moodle() { echo "$class/$1_$2_assignsubmission_file_"; }
+mkdir -p "$(moodle "Ann Lee" 101)" "$(moodle "Zoë Ñandú" 102)" "$(moodle "Bo O'Brien" 103)" "$class/guest"
+for to in "Ann Lee_101" "Zoë Ñandú_102"; do cp -r "$(solved right)"/03-* "$class/${to}_assignsubmission_file_"; done
+cp -r labs/03-shadow-map "$(moodle "Bo O'Brien" 103)"
+cp -r labs/03-shadow-map "$class/guest"
+find "$class" -type f -exec touch -d '2026-11-05 12:00' {} +
+cat >"$work/roster.csv" <<'CSV'
+Surname;First name;ID number;Email address
+Lee;Ann;00101;ann@example.org
+Ñandú;Zoë;;zoe@example.org
+"O'Brien";Bo;103;bo@example.org
+"=Cmd()";;104;eve@example.org
+CSV
+gather() { grades --class "$class" --output "$output" --gather "$@"; }
+row() { python3 - "$output/grades.csv" "$@" <<'PYTHON'
+import csv, sys
+rows = list(csv.DictReader(open(sys.argv[1], newline="", encoding="utf-8")))
+found = [row for row in rows if sys.argv[2] in (row["student"], row["id"], row["submission"])]
+print(len(found), *[found[0][key] if found else None for key in sys.argv[3:]], sep="|")
+PYTHON
+}
+is() { [[ $2 == "$3" ]] && ok || bad "$1" "$2, not $3"; }
+
+# A class with a list: everybody has a row, by number or by name, and the means are of those who handed in.
+grades --class "$class" --output "$output" --lab 03 --seed 4 --roster "$work/roster.csv"
+expect "a class with a list" 0 'roster: "guest": not on the roster' "1 of 4 handed in nothing" "4 submissions, 0 not graded"
+is "by number, without zeros" "$(row "Ann Lee" "lab 03" status id note)" "1|100.00|passed|00101|"
+is "by name, with accents" "$(row "Zoë Ñandú" "lab 03" id)" "1|100.00|zoe@example.org"
+is "who handed in nothing" "$(row 104 student "lab 03" total status submission)" "1|'=Cmd()|||not handed in|"
+is "who is not on the list" "$(row guest "lab 03" status note)" "1|0.00|failed|not on the roster"
+grep -q '4 submissions, 4 graded, 0 not graded, 1 students handed in nothing' "$output/index.html" && ok || bad "the page counts" "$(grep submissions "$output/index.html")"
+gather
+expect "OUT keeps the list" 0 "1 of 4 handed in nothing"
+
+# The log, and what is graded again: what changed, and only that.
+grep -qE '^[0-9-]+ [0-9:]+ Ann Lee_101_assignsubmission_file_: 100.00 of 100$' "$output/log" && ok || bad "the log" "$(cat "$output/log")"
+again() { grades --class "$class" --output "$output" --resume; }
+again
+[[ $status == 0 && $out != *again* ]] && ok || bad "nothing changed: nothing is graded again" "$out"
+cp solutions/03-shadow-map/{lab.c,shadow.frag} "$class/guest/03-shadow-map"
+again
+expect "another submission" 0 "graded again: 1 with another submission than when they were graded"
+is "it is graded anew" "$(row guest "lab 03")" "1|100.00"
+touch "$class"/guest/03-shadow-map/* && mkdir -p "$class/guest/.git" && echo x >"$class/guest/.git/index"
+again
+[[ $out != *again* ]] && ok || bad "times and version control are no change" "$out"
+python3 - "$output" <<'PYTHON'
+import glob, json, sys
+for path in glob.glob(sys.argv[1] + "/results/*.json"):
+    record = json.load(open(path))
+    if record["submission"].startswith("Ann"):
+        record["made_of"]["rubrics"]["03"] = "0" * 16
+    if record["submission"].startswith("Bo"):
+        record["made_of"]["grader"] = "0" * 16
+    json.dump(record, open(path, "w"))
+PYTHON
+gather
+expect "rubrics are not mixed in silence" 0 "2 were graded with another rubric of lab 03 than today's"
+is "the row says it, too" "$(row "Ann Lee" note)" "1|graded with another rubric of lab 03 than today's: --resume grades it again"
+again
+expect "another rubric, another grader" 0 "graded again: 1 with another rubric of lab 03" "graded again: 1 with another grader"
+gather
+[[ $out != *today* ]] && ok || bad "all are of one rubric again" "$out"
+cp labs/03-shadow-map/{lab.c,shadow.frag} "$class/guest/03-shadow-map"
+grades --class "$class" --output "$output" --only guest
+is "--only makes the tables, too" "$(row guest "lab 03")" "1|0.00"
+
+# What people decide stands beside what was measured.
+cat >"$work/overrides.csv" <<'CSV'
+student,lab,check,points,note
+bo@example.org,03,,42.5,"shown in class; ""late"" bus"
+104,Lab 3,,10,oral
+CSV
+gather --overrides "$work/overrides.csv"
+expect "overrides" 0
+is "points by hand" "$(row 103 "lab 03" total "lab 03 measured" status note)" '1|42.50|42.50|0.00|failed|lab 03: 42.50 instead of 0.00: shown in class; "late" bus'
+is "points for who handed in nothing" "$(row 104 "lab 03" "lab 03 measured" total)" "1|10.00||10.00"
+check=$(python3 -c 'import json,glob,sys; r=json.load(open(glob.glob(sys.argv[1])[0])); c=r["report"]["labs"][0]["checks"][0]; print(c["name"], c["max_score"], sep="|")' "$output/results/AnnLee*.json")
+printf 'student\tlab\tpoints\tcheck\tnote\nAnn Lee\t3\t1,5\t%s\tcopied\n' "${check%|*}" >"$work/checks.csv"
+gather --overrides "$work/checks.csv"
+is "points of a check" "$(row "Ann Lee" "lab 03" "lab 03 measured")" "1|$(python3 -c "print(f'{100 - ${check#*|} + 1.5:.2f}')")|100.00"
+rm "$output/overrides.csv"
+
+# Lateness: three days after the date and two hours, of them one free.
+late() { printf '{"due": {"03": "2026-11-02 10:00"}, "percent a day": 10%s}' "$1" >"$work/late.json"; gather --due "$work/late.json"; }
+late ', "free days": 1'
+is "late days" "$(row "Ann Lee" "lab 03" "lab 03 measured" note)" "1|70.00|100.00|lab 03: 4 days late, 1 of them free: 30.00 points off"
+late ', "at most percent": 25'
+is "at most" "$(row "Ann Lee" "lab 03")" "1|75.00"
+late ', "grace minutes": 120'
+is "grace" "$(row "Ann Lee" "lab 03")" "1|70.00"
+printf 'student,lab,late,note\n101,03,0,ill\n' >"$work/overrides.csv"
+gather --overrides "$work/overrides.csv"
+is "days by hand" "$(row "Ann Lee" "lab 03")" "1|100.00"
+rm "$output"/{overrides.csv,due.json}
+sed 's/^\(Surname.*\)/\1;Last modified (submission)/; s/ann@.*/&;"Monday, 2 November 2026, 9:59 AM"/; s/zoe@.*/&;2026-11-02 10:00:01/; s/bo@.*/&;-/' "$work/roster.csv" >"$work/times.csv"
+late ''
+gather --roster "$work/times.csv"
+is "the list's time counts: in time" "$(row "Ann Lee" "lab 03")" "1|100.00"
+is "the list's time counts: a second late" "$(row zoe@example.org "lab 03")" "1|90.00"
+rm "$output/due.json"
+
+# Two outputs side by side.
+cp -r "$output" "$work/newer"
+python3 - "$work/newer" <<'PYTHON'
+import glob, json, sys
+for path in glob.glob(sys.argv[1] + "/results/*.json"):
+    record = json.load(open(path))
+    if record["submission"].startswith("Ann"):
+        lab = record["report"]["labs"][0]
+        lab["checks"][1]["score"] -= 2.25
+        lab["score"] = record["report"]["score"] = 97.75
+    if record["submission"] == "guest":
+        record.update(graded=False, reason="no room", report=None)
+    json.dump(record, open(path, "w"))
+PYTHON
+check=$(python3 -c 'import json,glob,sys; c=json.load(open(glob.glob(sys.argv[1])[0]))["report"]["labs"][0]["checks"][1]; print(c["name"], "|", c["max_score"], sep="")' "$output/results/AnnLee*.json")
+grades --compare "$output" "$work/newer" --output "$work/changes"
+points() { python3 -c "print(f'{${check#*|} - $1:.2f}')"; }
+expect "two outputs" 0 "Ann Lee_101_assignsubmission_file_: 100.00 -> 97.75 (-2.25)" "lab 03, ${check%|*}: $(points 0) -> $(points 2.25)" \
+    "guest: graded only in the first" "3 graded in both: 0 have more points, 1 fewer; the mean was 66.67 and is 65.92"
+is "the same as CSV" "$(sed 1d "$work/changes/changes.csv" | cut -d, -f2-)" "$(printf '03,"%s",%s,%s,-2.25\n03,"",100.00,97.75,-2.25' "${check%|*}" "$(points 0)" "$(points 2.25)")"
+grades --compare "$output" "$output"
+expect "an output and itself" 0 "4 graded in both: 0 have more points, 0 fewer"
+grades --compare "$output" "$class"
+expect "no output" 3 "holds no results of a class run"
+grades --compare "$output"
+expect "one output" 2 "--compare takes two folders"
+grades --compare "$output" "$work/nowhere"
+expect "no folder" 2 "nowhere is not a folder"
+
+# What cannot be read names the file, the line and what to do, and nothing is graded.
+refuses() { # OPTION NAME TEXT PATTERN...: the content of the file, printf's way
+    printf "$3" >"$work/bad.csv"
+    grades --class "$class" --output "$work/none" "--$1" "$work/bad.csv"
+    expect "$1: $2" 2 "bad.csv" "${@:4}"
+    [[ ! -e $work/none ]] || bad "$1: $2: something was written"
+}
+refuses roster "empty" '' "bad.csv:1: the file is empty"
+refuses roster "only heads" 'id,name\n' "bad.csv:1: below the heads there is no student"
+refuses roster "no column" 'grade,points\n1,2\n' "bad.csv:1: no column tells who the students are"
+refuses roster "twice" 'id,name\n1,A\n\n2,B\n01,C\n1,D\n' 'bad.csv:6: "1" stands already in line 2'
+refuses roster "a mail twice" 'mail\na@b\nA@B\n' 'bad.csv:3: "A@B" stands already in line 2'
+refuses roster "nobody" 'id,name,group\n1,A,x\n,,y\n' "bad.csv:3: the row names nobody"
+refuses roster "an open quote" 'id,name\n1,"A\n2,B\n' "bad.csv:2: a quote is opened here and never closed"
+refuses roster "too many cells" 'id,name\n1,Lee, Ann\n' "bad.csv:2: 3 cells below 2 heads" "quotes"
+refuses roster "Latin-1" 'id,name\n1,Zo\xeb\n' "bad.csv:2: the text is not UTF-8"
+refuses roster "UTF-16" '\xff\xfei\0d\0' "UTF-16: save it as UTF-8"
+refuses roster "a zero byte" 'id\n1\0\n' "byte 0"
+refuses roster "no time" 'id,submitted\n1,yesterday\n' 'bad.csv:2: "yesterday" is no time'
+refuses overrides "no note column" 'student,lab,points\n' "the column note is missing"
+refuses overrides "no note" 'student,lab,points,note\nA,3,1,\n' "bad.csv:2: the note is empty"
+refuses overrides "no points" 'student,lab,points,note\nA,3,many,x\n' '"many" are no points'
+refuses overrides "negative points" 'student,lab,points,note\nA,3,-1,x\n' '"-1" are no points'
+refuses overrides "no lab" 'student,lab,points,note\nA,three,1,x\n' '"three" is no lab'
+refuses overrides "twice" 'student,lab,points,note\nA,3,1,x\na,03,2,y\n' "bad.csv:3: the same stands already in line 2"
+refuses due "no JSON" '{' "bad.csv:1:"
+refuses due "no date" '{"due": {"03": "soon"}, "percent a day": 1}' 'lab 03: write a time as "2026-11-03 23:59"'
+refuses due "no lab" '{"due": {"3": "2026-11-03 23:59"}, "percent a day": 1}' 'write its number, as "03"'
+refuses due "too much" '{"due": {"03": "2026-11-03 23:59"}, "percent a day": 101}' "percent a day"
+grades --class "$class" --output "$work/none" --roster "$work/nowhere.csv"
+expect "no list" 2 "nowhere.csv cannot be read"
+grades --roster "$work/roster.csv" labs
+expect "a list without a class" 2 "go with --class"
+printf 'student,lab,points,note\nNobody,3,1,x\n' >"$work/bad.csv"
+gather --overrides "$work/bad.csv"
+expect "an override of nobody" 3 'overrides.csv:2: there is no student "Nobody"'
+rm "$output/overrides.csv"
+
+# Lists as they come: each has Ann Lee as its only student who handed in.
+lists() { # NAME TEXT: printf's way
+    printf "$2" >"$work/list.csv"
+    gather --roster "$work/list.csv"
+    [[ $status == 0 && $(row "Ann Lee_101_assignsubmission_file_" note) == "1|" ]] && ok || bad "a list: $1" "$out$(cat "$output/grades.csv")"
+}
+lists "a mark, semicolons, CRLF" '\xef\xbb\xbfName;Matrikelnummer\r\nLee, Ann;101\r\n'
+lists "CR alone" 'id\r101\r'
+lists "sep=, tabs" 'sep=;\nid;name\n101;Ann\n'
+lists "Canvas" 'Student,ID,SIS User ID,SIS Login ID,Section,"Lab 03 (77)"\n"    Points Possible",,,,,100\n"Lee, Ann",7,101,alee,A,\n"Student, Test",9,,x,A,\n'
+lists "Moodle's worksheet" 'Identifier,Full name,Email address,Status,Grade\nParticipant 101,A. Lee,a@b.c,-,\n'
+lists "only names, one composed of marks" 'name\nAnn Le\xcc\x81e\n'
+lists "quotes and a line break inside" '"id","name"\n"101","Ann ""A.""\nLee"\n'
+lists "wide spaces" 'id,name\n \xc2\xa0101 ,Ann\n'
+lists "Gradescope" 'First Name,Last Name,SID,Email,Sections\nAnn,Lee,101,a@b.c,\n'
+lists "empty lines and short rows" '\n\nid,name,mail\n\n101\n,,\n'
+python3 - "$work/list.csv" <<'PYTHON'
+import sys
+with open(sys.argv[1], "w") as file:
+    print("id,name", *(f"{i},Student {i}" for i in range(101, 10101)), sep="\n", file=file)
+PYTHON
+gather --roster "$work/list.csv"
+[[ $status == 0 && $(wc -l <"$output/grades.csv") == 10002 ]] && ok || bad "10,000 students" "$(wc -l "$output/grades.csv")"
+printf 'name,id\nAnn Lee,\nAnn Lee,7\nLee Ann,8\n' >"$work/list.csv"
+gather --roster "$work/list.csv"
+expect "two of one name" 0 "several on the roster have this name"
+
+finish
