@@ -7,6 +7,7 @@ SUBMISSION ?= labs
 ARGS ?=
 LAB_OPERAND = $(if $(LAB),'$(LAB)')
 LAB_OPTION = $(if $(LAB),--lab '$(LAB)')
+RECORD = $(if $(filter labs,$(SUBMISSION)),--record)
 SCRIPTS := grader/scripts
 
 build: programs ## build everything (default)
@@ -19,10 +20,16 @@ $(if $(ABSENT),$(error make $(ABSENT) is not in this kit; make help lists what i
 include grader/build.mk
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
-	$(BUILD)/grade $(LAB_OPTION) $(if $(filter labs,$(SUBMISSION)),--record) $(ARGS) $(SUBMISSION)
+	@$(BUILD)/grade $(LAB_OPTION) $(RECORD) $(ARGS) $(SUBMISSION) || [ $$? = 1 ] # 1: graded, but not all passed
+
+report: build ## the same as a web page with pictures: make report [LAB=03]
+	@$(SCRIPTS)/report_page $(BUILD) '$(LAB)' $(SUBMISSION) $(RECORD) $(ARGS)
 
 watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress: make watch [LAB=03]
 	@$(BUILD)/watch $(LAB_OPTION) $(ARGS)
+
+answer: $(BUILD)/watch ## of a lab that is done: its idea, the answer to its question, what to try: make answer LAB=03
+	@$(if $(LAB),,echo "which lab? make answer LAB=03" >&2; exit 2;) $(BUILD)/watch $(LAB_OPTION) --answer || [ $$? = 1 ]
 
 progress: $(BUILD)/watch ## how far am I in all labs?
 	@$(BUILD)/watch --list
@@ -39,6 +46,9 @@ hint: ## show the hints of a task: make hint TASK=3.2
 
 trace: $(BUILD)/worker $(BUILD)/frame ## record a frame of your lab for a frame debugger: make trace LAB=03 [TOOL=renderdoc] [SCENE="far floor"]
 	@TOOL="$(TOOL)" SCENE="$(SCENE)" $(SCRIPTS)/trace $(LAB_OPERAND)
+
+showcase: build ## all pictures that your labs draw, points and mistakes met, on one page: build/showcase.html
+	@$(SCRIPTS)/showcase $(BUILD) $(SUBMISSION)
 
 reset: $(filter $(BUILD)/skeletons,$(PROGRAMS)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@$(SCRIPTS)/reset $(LAB_OPERAND)
@@ -59,6 +69,9 @@ new-lab: ### begin a new lab from a template: make new-lab LAB=09 NAME="soft sha
 
 pictures: build ### draw the pictures of the handouts: make pictures [LAB=03]
 	@$(SCRIPTS)/pictures $(LAB_OPERAND)
+
+diagrams: ### draw the diagrams of the handouts: make diagrams [LAB=03] (needs node); then make skeletons
+	@node grader/site/diagrams.mjs $(LAB_OPERAND)
 
 contexts: build ### do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
 	@$(SCRIPTS)/contexts $(BUILD) $(LAB_OPERAND)

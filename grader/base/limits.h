@@ -15,7 +15,8 @@ enum {
     EXAM_MAX_PARTS = 48,   // functions of a lab's files, see compile/parts.h
     EXAM_MAX_RESETS = 512, // versions of our lab with one or two of them as they were handed out
     RUBRIC_MAX_EDITS = 6,  // of a mistake or an alternative
-    RUBRIC_MAX_HINTS = 9,  // of a task
+    CHANGE_MAX_EDITS = 2 * RUBRIC_MAX_EDITS, // of one that is put together from two
+    RUBRIC_MAX_HINTS = 9,                    // of a task
     RUBRIC_MAX_POINTS = 1000,
     RUBRIC_MAX_CHOICES = 6, // of a knob or of a check's scenes
     RUBRIC_MAX_ALSO = 4,    // alternatives whose other pictures are right, too
@@ -25,6 +26,10 @@ enum {
     RUBRIC_MAX_NAME = 80, // of a check, mistake, alternative, scene or file
     RUBRIC_MAX_HINT = 1400,
     RUBRIC_MAX_EDIT = 1 << 14, // the text of an edit
+
+    // Of what is told when a lab is done.
+    AFTERWORD_MAX_PARTS = 6,   // of the answer, or things to try
+    AFTERWORD_MAX_TEXT = 1400, // of a part
 
     // All that is drawn for one lab: the solution, the skeleton, the solution without the task of a check,
     // the lab solved up to each task, with each mistake, each alternative, and with parts as handed out.

@@ -15,7 +15,7 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { MAX_FILE = 1 << 20, VERSION = 1 };
+enum { MAX_FILE = 1 << 20, VERSION = 1, MAX_PAUSE = 30 * 60 };
 
 static void find_file(char path[FILES_PATH]) {
     const char *other = getenv("SHADOW_LAB_PROGRESS");
@@ -99,9 +99,32 @@ bool progress_load(Progress *progress) {
     return root != NULL;
 }
 
+// A longer pause is no work. A clock that was put back adds nothing.
+static void add_time(json_t *entry) {
+    const double now = (double)time(NULL), last = json_number_value(json_object_get(entry, "last"));
+    const double pause = now - last, worked = json_number_value(json_object_get(entry, "seconds"));
+    json_object_set_new(entry, "last", json_real(now));
+    json_object_set_new(entry, "seconds",
+                        json_real(pause > 0 && pause <= MAX_PAUSE ? worked + pause : worked));
+}
+
+static void add_mistakes(json_t *entry, const MistakesMet *met) {
+    json_t *mistakes = json_object_get(entry, "mistakes"), *old;
+    size_t n;
+    if (!json_is_array(mistakes))
+        json_object_set_new(entry, "mistakes", mistakes = json_array());
+    for (int i = 0; met && i < met->count; i++) {
+        bool known = false;
+        json_array_foreach(mistakes, n, old) known =
+            known || (json_is_string(old) && strcmp(json_string_value(old), met->names[i]) == 0);
+        if (!known)
+            json_array_append_new(mistakes, json_string(met->names[i]));
+    }
+}
+
 // Changes one lab's entry; what else stands in it stays.
 static void update(json_t *root, const LabProgress *old, const char *id, double score, double max_score,
-                   bool done) {
+                   bool done, const MistakesMet *met) {
     json_t *labs = json_object_get(root, "labs"), *entry = json_object_get(labs, id);
     double best = old && old->best > score ? old->best : score;
     if (!entry)
@@ -110,6 +133,8 @@ static void update(json_t *root, const LabProgress *old, const char *id, double 
     json_object_set_new(entry, "max_score", json_real(max_score));
     json_object_set_new(entry, "best", json_real(best));
     json_object_set_new(entry, "done", json_boolean(done));
+    add_time(entry);
+    add_mistakes(entry, met);
     if (done && !json_object_get(entry, "done_on")) {
         char day[16];
         time_t now = time(NULL);
@@ -137,13 +162,14 @@ static int lock_folder(const char *path) {
     return descriptor;
 }
 
-bool progress_record(Progress *progress, const char *id, double score, double max_score, bool done) {
+bool progress_record(Progress *progress, const char *id, double score, double max_score, bool done,
+                     const MistakesMet *met) {
     char path[FILES_PATH];
     find_file(path);
     int lock = lock_folder(path);
     json_t *root = load(progress, path);
     if (root) {
-        update(root, progress_find(progress, id), id, score, max_score, done);
+        update(root, progress_find(progress, id), id, score, max_score, done, met);
         read_labs(progress, root);
     }
     bool ok = root && write_file(path, root);

@@ -2,7 +2,7 @@
 // another file.
 #pragma once
 
-#include "base/limits.h"
+#include "grade/mistakes_met.h"
 
 #include <stdbool.h>
 
@@ -25,8 +25,11 @@ typedef struct Progress {
 bool progress_load(Progress *progress);
 
 // Puts one lab's grading into the file, which is replaced as a whole or left as it was, and reads all others
-// from it again, so that several programs can do this at once. False with a message.
-bool progress_record(Progress *progress, const char *id, double score, double max_score, bool done);
+// from it again, so that several programs can do this at once. Beside the points the file keeps the names of
+// all mistakes that were met (`met` may be NULL: none), and the seconds of work: the time since the grading
+// before, when that was no longer ago than half an hour. False with a message.
+bool progress_record(Progress *progress, const char *id, double score, double max_score, bool done,
+                     const MistakesMet *met);
 
 // The lab's entry; NULL when it was never graded.
 const LabProgress *progress_find(const Progress *progress, const char *id);

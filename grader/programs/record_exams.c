@@ -49,8 +49,15 @@ static json_t *public_alternatives(const Rubric *rubric) {
     return list;
 }
 
+// A lab need not have one.
+static bool record_afterword(const Rubric *rubric, const char *folder) {
+    json_t *afterword = read_json(rubric, "afterword.json");
+    return !afterword || write_json(folder, "afterword.json", afterword);
+}
+
 static bool record_texts(const Rubric *rubric, const char *folder) {
-    return write_json(folder, "rubric.json", read_json(rubric, "rubric.json")) &&
+    return record_afterword(rubric, folder) &&
+           write_json(folder, "rubric.json", read_json(rubric, "rubric.json")) &&
            write_json(folder, "hints.json", read_json(rubric, "hints.json")) &&
            write_json(folder, "mistakes.json", public_mistakes(rubric)) &&
            write_json(folder, "alternatives.json", public_alternatives(rubric));

@@ -51,7 +51,8 @@ static bool is_students(const Rubric *rubric, const char *name) {
 static void write_file(const char *name, void *context) {
     SkeletonWriter *writer = context;
     char from[FILES_PATH], to[FILES_PATH];
-    if (!writer->ok || ends_with(name, ".json") || strcmp(name, "pictures") == 0 || ends_with(name, ".gp"))
+    if (!writer->ok || ends_with(name, ".json") || strcmp(name, "pictures") == 0 || ends_with(name, ".gp") ||
+        ends_with(name, ".mjs"))
         return;
     files_join(from, writer->from, name);
     files_join(to, writer->to, name);

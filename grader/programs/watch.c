@@ -6,7 +6,7 @@
 #include "base/option_values.h"
 #include "base/places.h"
 #include "exam/exam_file.h"
-#include "exam/handed_out.h"
+#include "watch/after_lab.h"
 #include "watch/screens.h"
 #include "watch/terminal.h"
 #include "watch/viewer.h"
@@ -17,7 +17,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { EXIT_DONE, EXIT_OPEN, EXIT_FAULT = 3, LOOK_EVERY = 100, PLAIN_WIDTH = 100 };
+enum { EXIT_DONE, EXIT_OPEN, EXIT_FAULT = 3, LOOK_EVERY = 100, PLAIN_WIDTH = 100, SCROLL = 4 };
 
 typedef struct Watch {
     LabBoard board;
@@ -27,13 +27,14 @@ typedef struct Watch {
     bool entered; // the current lab was just chosen, and is to be graded
     bool listing, dirty, end;
     int marked; // in the list
+    int top;    // the first line of the lab's screen that is shown
     bool color;
 } Watch;
 
 typedef struct WatchCommand {
     char folder[FILES_PATH], lab[3]; // "": the first that is not done
     GradingOptions grading;
-    bool list;
+    bool list, answer, begin_again;
 } WatchCommand;
 
 #define AT(field) offsetof(WatchCommand, field)
@@ -44,11 +45,15 @@ static const Option options[] = {
     {"context", 0, "C", "osmesa or egl (default: the first that is here); also SHADOW_LAB_CONTEXT",
      AT(grading.context), option_context},
     {"list", 0, NULL, "print how far all labs are, and end", AT(list), option_flag},
+    {"answer", 0, NULL, "print what a lab that is done has to tell, and end", AT(answer), option_flag},
+    {"begin-again", 0, NULL, "note that the lab is not done, and end", AT(begin_again), option_flag},
     {0}};
 #undef AT
 
 static bool check(void *settings, const Operands *operands) {
     WatchCommand *command = settings;
+    if ((command->answer || command->begin_again) && !command->lab[0])
+        return check_fail("--answer and --begin-again go with --lab NN");
     return operands->count == 0 || realpath(operands->texts[0], command->folder) ||
            check_fail("%s is not a folder", operands->texts[0]);
 }
@@ -77,6 +82,7 @@ static void ask(Watch *watch) {
 static void turn_to(Watch *watch, int lab) {
     lab_board_turn_to(&watch->board, lab);
     watch->listing = false;
+    watch->top = 0;
     watch->entered = watch->dirty = true;
 }
 
@@ -115,18 +121,14 @@ static void go_on(Watch *watch) {
 
 static void take_verdict(Watch *watch) {
     LabBoard *board = &watch->board;
-    const Rubric *rubric = &board->rubrics[board->current];
     watch->dirty = true;
-    if (!grading_process_take(&watch->grading) || !lab_board_take(board, &watch->grading.verdict))
+    if (!grading_process_take(&watch->grading))
         return;
-    const int next = lab_board_next(board);
-    snprintf(board->message, sizeof board->message, "Lab %s is done: %.0f of %.0f points. %s%s%s", rubric->id,
-             board->verdict.score, board->verdict.max_score,
-             next < 0 ? "All labs are done!" : "Here is the next one; l leads back.",
-             handed_out_alone() ? "" : " Our solution, to compare: solutions/",
-             handed_out_alone() ? "" : strrchr(rubric->folder, '/') + 1);
-    if (next >= 0)
-        turn_to(watch, next);
+    if (lab_board_take(board, &watch->grading.verdict))
+        snprintf(board->message, sizeof board->message, "Lab %s is done: %.0f of %.0f points.%s",
+                 board->rubrics[board->current].id, board->verdict.score, board->verdict.max_score,
+                 lab_board_next(board) < 0 ? " All labs are done!" : "");
+    watch->top = 0;
 }
 
 static void press_in_list(Watch *watch, int key) {
@@ -141,24 +143,32 @@ static void press_in_list(Watch *watch, int key) {
         watch->listing = false;
 }
 
-static void press(Watch *watch, int key) {
+static void press_in_lab(Watch *watch, int key) {
     LabBoard *board = &watch->board;
-    watch->dirty = true;
-    board->message[0] = '\0';
-    if (key == 'q')
-        watch->end = true;
-    else if (watch->listing)
-        press_in_list(watch, key);
-    else if (key == 'h')
+    if (key == 'h')
         lab_board_hint(board);
     else if (key == 'n')
         go_on(watch);
     else if (key == 'r')
         viewer_open(&watch->viewer, board->rubrics[board->current].id, board->message, sizeof board->message);
+    else if (key == KEY_DOWN || key == KEY_UP)
+        watch->top += key == KEY_DOWN ? SCROLL : -SCROLL;
     else if (key == 'l') {
         watch->listing = true;
         watch->marked = board->current;
     }
+}
+
+static void press(Watch *watch, int key) {
+    watch->dirty = true;
+    if (key != KEY_DOWN && key != KEY_UP)
+        watch->board.message[0] = '\0';
+    if (key == 'q')
+        watch->end = true;
+    else if (watch->listing)
+        press_in_list(watch, key);
+    else
+        press_in_lab(watch, key);
 }
 
 static void draw(Watch *watch) {
@@ -171,8 +181,10 @@ static void draw(Watch *watch) {
         screens_list(&sheet, &watch->board, watch->marked);
     else
         screens_lab(&sheet, &watch->board, watch->grading.busy);
+    const int last = watch->listing ? 0 : sheet_last_top(&sheet, rows);
+    watch->top = watch->top > last ? last : watch->top < 0 ? 0 : watch->top;
     screens_footer(footer, sizeof footer, &watch->board, watch->listing, watch->grading.busy);
-    sheet_show(&sheet, footer, columns, rows, watch->color);
+    sheet_show(&sheet, watch->listing ? 0 : watch->top, footer, columns, rows, watch->color);
     watch->dirty = false;
 }
 
@@ -221,6 +233,10 @@ static void print_list(Watch *watch) {
 }
 
 static int run(Watch *watch, const WatchCommand *command) {
+    if (command->begin_again)
+        return lab_board_begin_again(&watch->board, watch->board.current) ? EXIT_DONE : EXIT_FAULT;
+    if (command->answer)
+        return after_lab_print(&watch->board, isatty(STDOUT_FILENO) && watch->color) ? EXIT_DONE : EXIT_OPEN;
     if (command->list) {
         print_list(watch);
         return EXIT_DONE;

@@ -5,6 +5,7 @@
 
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 static const char *const formats[] = {"text", "json", "html", "gradescope", "check50"};
@@ -16,6 +17,12 @@ bool report_parse_format(ReportFormat *format, const char *name) {
             return true;
         }
     return false;
+}
+
+// 0 when it is no terminal.
+static int columns_of(FILE *out) {
+    struct winsize size = {0};
+    return ioctl(fileno(out), TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
 static bool print_json(json_t *json, FILE *out) {
@@ -35,7 +42,7 @@ static bool print_html(const Report *report, FILE *out) {
 bool report_print(const Report *report, ReportFormat format, FILE *out) {
     bool ok = true;
     if (format == REPORT_TEXT)
-        report_text(report, out, isatty(fileno(out)) && !getenv("NO_COLOR"));
+        report_text(report, out, isatty(fileno(out)) && !getenv("NO_COLOR"), columns_of(out));
     else if (format == REPORT_HTML)
         ok = print_html(report, out);
     else if (format == REPORT_GRADESCOPE)

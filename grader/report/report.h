@@ -22,8 +22,9 @@ bool report_parse_format(ReportFormat *format, const char *name);
 // written.
 bool report_print(const Report *report, ReportFormat format, FILE *out);
 
-// One line a check, a bar a lab; with the colours of a terminal when `color`.
-void report_text(const Report *report, FILE *out, bool color);
+// One line a check, a bar a lab; with the colours of a terminal when `color`. Texts break at words within
+// `columns` characters (0: nowhere).
+void report_text(const Report *report, FILE *out, bool color, int columns);
 
 // The JSON of grader/report/report.schema.json, to be freed by the caller (json_decref); NULL when out of
 // memory.

@@ -1,19 +1,36 @@
+// Prints a report as text: a line a check, where to look first, a bar a lab; on a terminal in colours and
+// broken at words.
 #include "report/report.h"
 
 #include <string.h>
 
-enum { BAR = 30 };
+enum { BAR = 30, LEAST = 20 };
 
 typedef struct Colors {
-    const char *good, *bad, *dim, *bold, *end;
+    const char *good, *bad, *note, *dim, *bold, *end;
+    int columns; // where lines are broken; 0: nowhere
 } Colors;
 
-// Prints a text of several lines, each behind `prefix`.
-static void print_lines(FILE *out, const char *prefix, const char *text) {
-    while (*text) {
-        int length = (int)strcspn(text, "\n");
-        fprintf(out, "%s%.*s\n", prefix, length, text);
-        text += length + (text[length] == '\n');
+// How much of a line goes onto one of the terminal: up to the last space that fits.
+static int break_at(const char *line, int length, int width) {
+    if (length <= width)
+        return length;
+    for (int at = width; at > 0; at--)
+        if (line[at] == ' ')
+            return at;
+    return length;
+}
+
+// Prints a text of several lines, each behind `prefix`; on a terminal they break at words, and go on below.
+static void print_lines(FILE *out, const char *prefix, const char *text, const Colors *colors) {
+    const int width = colors->columns - (int)strlen(prefix);
+    for (bool begins = true; *text;) {
+        const int line = (int)strcspn(text, "\n");
+        const int length = colors->columns ? break_at(text, line, width > LEAST ? width : LEAST) : line;
+        fprintf(out, "%*s%.*s\n", (int)strlen(prefix), begins ? prefix : "", length, text);
+        begins = length == line;
+        text += length;
+        text += *text == '\n' || *text == ' ';
     }
 }
 
@@ -29,9 +46,9 @@ static void print_check(const CheckResult *check, const CheckResult *before, boo
     if (!before || strcmp(before->mistake, check->mistake) != 0)
         fprintf(out, "         %s%s%s\n", colors->bold, check->mistake, colors->end);
     if (check->seen[0] && (!before || strcmp(before->seen, check->seen) != 0))
-        fprintf(out, "         %s\n", check->seen);
+        print_lines(out, "         ", check->seen, colors);
     if (hinted)
-        print_lines(out, "         ", check->hint);
+        print_lines(out, "         ", check->hint, colors);
 }
 
 // Where to look first, and why.
@@ -39,7 +56,7 @@ static void print_summary(const LabResult *lab, FILE *out, const Colors *colors)
     if (!lab->summary[0])
         return;
     fprintf(out, "  %s=> %s%s\n", colors->bold, lab->summary, colors->end);
-    print_lines(out, "     ", lab->advice);
+    print_lines(out, "     ", lab->advice, colors);
 }
 
 // The checks of a lab, and where to go on.
@@ -69,9 +86,12 @@ static void print_bar(double share, FILE *out) {
 static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
     fprintf(out, "%sLab %s: %s%s\n", colors->bold, lab->id, lab->name, colors->end);
     if (lab->message[0])
-        print_lines(out, "  ! ", lab->message);
-    if (lab->warnings[0])
-        print_lines(out, "  note: ", lab->warnings);
+        print_lines(out, "  ! ", lab->message, colors);
+    if (lab->warnings[0]) {
+        fputs(colors->note, out);
+        print_lines(out, "  note: ", lab->warnings, colors);
+        fputs(colors->end, out);
+    }
     print_summary(lab, out, colors);
     print_checks(lab, out, colors);
     fputs("  ", out);
@@ -84,9 +104,10 @@ static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
     fputs("\n\n", out);
 }
 
-void report_text(const Report *report, FILE *out, bool color) {
-    const Colors colors = color ? (Colors){"\033[32m", "\033[31m", "\033[2m", "\033[1m", "\033[0m"}
-                                : (Colors){"", "", "", "", ""};
+void report_text(const Report *report, FILE *out, bool color, int columns) {
+    const Colors colors =
+        color ? (Colors){"\033[32m", "\033[31m", "\033[33m", "\033[2m", "\033[1m", "\033[0m", columns}
+              : (Colors){"", "", "", "", "", "", columns};
     for (int i = 0; i < report->lab_count; i++)
         print_lab(&report->labs[i], out, &colors);
     fprintf(out, "%s%.2f of %.0f points%s (seed %llu, %s, %.1f s)\n", colors.bold, result_score(report),

@@ -3,16 +3,37 @@ import {
   copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync,
 } from "node:fs";
 import path from "node:path";
-import { escape, render } from "./pages.mjs";
+import { colored, languageOf } from "./code.mjs";
+import { withFigure } from "./figures.mjs";
+import { gallery } from "./gallery.mjs";
+import { addAnswer, addMeasured, addSlides } from "./handout.mjs";
+import { describe, landing } from "./landing.mjs";
+import { frame } from "./layout.mjs";
+import { escape, render, slug } from "./pages.mjs";
+import { sections, slidesOfTasks } from "./parts.mjs";
+import { search } from "./search.mjs";
 
 const output = process.argv[2];
 const read = (name) => readFileSync(new URL(name, import.meta.url), "utf8");
-const shell = read("../pages/shell.html"), style = read("../pages/base.css") + read("style.css");
-const policy = "img-src 'self' file: data:";
+const style = read("../pages/base.css") + read("style.css");
+
+process.on("uncaughtException", (error) => {
+  console.error(`site: ${error.message}`);
+  process.exit(1);
+});
+
+// README.md has a part for students and one for teachers; the student's kit has one for students only.
+const readme = readFileSync("README.md", "utf8");
+const { before, parts } = sections(readme);
+const partOf = (head) => parts.find((part) => part.head === head);
+const joined = (those) => those.map(({ head, body }) => `## ${head}${body}`).join("");
+const forTeachers = partOf("For teaching assistants");
+const others = parts.filter(({ head }) => !["The labs", "For students"].includes(head));
+const students = partOf("For students")?.body.replace(/^###/gm, "##") ?? before.replace(/^# .*/, "") + joined(others);
 
 // What each room of the grader says of itself: its README first, and then its tables.
 function rooms() {
-  const group = "Rooms of the grader";
+  const group = "For teachers";
   const folders = readdirSync("grader").filter((name) => statSync(`grader/${name}`).isDirectory()).sort();
   return folders.flatMap((room) => {
     const tables = readdirSync(`grader/${room}`).filter((name) => name.endsWith(".md") && !["README.md", "slides.md"].includes(name)).sort();
@@ -24,23 +45,35 @@ function rooms() {
   });
 }
 
-// The pages in the order of the lectures.
-const labs = readdirSync("labs").filter((name) => /^\d\d-[a-z-]+$/.test(name)).sort();
+// The pages in the order of the lectures; those without a source are made of others.
+const folders = readdirSync("labs").filter((name) => /^\d\d-[a-z-]+$/.test(name)).sort();
+const labs = folders.map((name) => ({ source: `labs/${name}/README.md`, file: `${name}.html`, group: "Labs", lab: name }));
+const start = { file: "index.html", label: "Start", title: "Shadow Lab" };
+const wrong = { file: "wrong.html", label: "What goes wrong", title: "What goes wrong, and how it looks", group: "More" };
+const finder = { file: "search.html", label: "Search", title: "Search", group: "More" };
 const pages = [
-  { source: "README.md", file: "index.html", label: "Start" },
-  ...labs.map((name) => ({ source: `labs/${name}/README.md`, file: `${name}.html`, group: "Labs" })),
+  start,
+  { source: "README.md", text: `# How to work\n${students}`, file: "students.html", label: "How to work" },
+  ...labs,
+  wrong,
   { source: "grader/site/slides.md", file: "slides.html", group: "More" },
   { source: "common/DEBUGGING.md", file: "debugging.html", group: "More" },
-  ...[".github/CONTRIBUTING.md"].filter(existsSync).map((source) => ({ source, file: "contributing.html", group: "More" })),
-  { source: "grader/README.md", file: "grader.html", group: "More" },
+  finder,
+  ...(forTeachers ? [{ source: "README.md", text: `# For teachers\n\n${joined(others)}`, file: "teachers.html", label: "The project", group: "For teachers" }] : []),
+  ...[".github/CONTRIBUTING.md"].filter(existsSync).map((source) => ({ source, file: "contributing.html", group: "For teachers" })),
+  { source: "grader/README.md", file: "grader.html", group: "For teachers" },
   ...rooms(),
 ];
 const listings = new Map(); // files of the project that a page links to, shown as they are
 
-process.on("uncaughtException", (error) => {
-  console.error(`site: ${error.message}`);
-  process.exit(1);
-});
+// The page, and the place in it, that a link to README.md means.
+function linkOfReadme(hash) {
+  const heads = (text) => [...text.matchAll(/^#{2,4} (.*)/gm)].map(([, head]) => `#${slug(head)}`);
+  if (hash === "#for-students") return "students.html";
+  if (hash === "#the-labs") return "index.html#the-labs";
+  const page = pages.find(({ text }) => text && heads(text).includes(hash));
+  return hash && page ? page.file + hash : "index.html";
+}
 
 const site = {
   partial: !existsSync("solutions"),
@@ -50,56 +83,82 @@ const site = {
     copyFileSync(file, path.join(output, target));
     return target.split(path.sep).map(encodeURIComponent).join("/");
   },
-  link(file) {
+  link(file, hash) {
+    if (file === "README.md") return linkOfReadme(hash);
     const page = pages.find(({ source }) => source === file || source === path.join(file, "README.md"));
-    if (page) return page.file;
+    if (page) return page.file + hash;
     if (!existsSync(file) || !statSync(file).isFile()) return undefined;
     listings.set(file, `file-${file.replace(/[^\w.-]/g, "-")}.html`);
-    return listings.get(file);
+    return listings.get(file) + hash;
   },
 };
 
-function navigation(current) {
-  let group, html = "";
-  for (const { file, label, group: itsGroup } of pages) {
-    if (itsGroup !== group) html += `${group || html ? "</ul>" : ""}${itsGroup ? `<p>${itsGroup}</p>` : ""}<ul>`;
-    else if (!html) html += "<ul>";
-    group = itsGroup;
-    html += `<li><a href="${file}"${file === current ? ' aria-current="page"' : ""}>${label}</a></li>`;
-  }
-  return `${html}</ul>`;
+// What was measured, where it is there, is part of the site: the study's chart, and the rows of the stability suite.
+function measured(lab) {
+  const from = (name) => `build/study/${name}.html`;
+  const links = [];
+  const copy = (name) => {
+    mkdirSync(path.join(output, "measured"), { recursive: true });
+    copyFileSync(from(name), path.join(output, "measured", `${name}.html`));
+    return `measured/${name}.html`;
+  };
+  if (existsSync(from("chart")) && existsSync(`solutions/${lab}/study.c`))
+    links.push({ address: copy("chart"), words: "Speed against error: each method in many settings" });
+  const text = existsSync(from("stability")) ? readFileSync(from("stability"), "utf8") : "";
+  for (const [, id, number, words] of text.matchAll(/<section id="(row-(\d+))"><h2>\d+\. ([^<]*)/g))
+    if (Math.floor(number / 100) === Number(lab.slice(0, 2)))
+      links.push({ address: `${copy("stability")}#${id}`, words: `Where methods break: ${words.trim()}` });
+  return links;
 }
 
-function turn(page) {
-  const at = pages.indexOf(page);
-  const link = (to, rel, words) =>
-    to ? `<a rel="${rel}" href="${to.file}"><span>${words}</span>${to.label}</a>` : "<span></span>";
-  const links = link(pages[at - 1], "prev", "Previous") + link(pages[at + 1], "next", "Next");
-  return at < 0 ? "" : `<nav class="turn" aria-label="Previous and next page">${links}</nav>`;
+function decorate(page, slides) {
+  const folder = [`solutions/${page.lab}`, `grader/recorded/${page.lab}`].find(existsSync);
+  const html = addMeasured(addAnswer(addSlides(page.html, slides), folder), measured(page.lab));
+  return withFigure(html, page.lab) ?? { html };
 }
 
-function write(page, title, html) {
-  const name = title === "Shadow Lab" ? title : `${title} - Shadow Lab`;
-  const content = `<a class="skip" href="#text">To the text</a>
-<nav class="site" aria-label="All pages">${navigation(page.file)}</nav>
-<main id="text">
-${html}${turn(page)}
-</main>
-`;
-  const holes = { policy, title: name, style, content };
-  writeFileSync(path.join(output, page.file), shell.replace(/{{(\w+)}}/g, (_, hole) => holes[hole]));
+// The first picture of a page.
+function firstPicture({ html }) {
+  const [, address, alt, size] = html.match(/<img src="([^"]*)" alt="([^"]*)"((?: \w+="\d+")*)/) ?? [];
+  return { picture: { address, size }, alt };
 }
+
+function makeStart() {
+  const part = (text) => render("README.md", site, text).html;
+  const paragraphs = (text, take) => part(text.split("\n\n").filter(take).join("\n\n"));
+  let words = 0;
+  const ways = [
+    ["students.html", "the commands, the window, and what to hand in"],
+    ["wrong.html", "wrong pictures, and what made them so"],
+    ["slides.html", "which task follows which slide of a lecture"],
+    ["debugging.html", "stages, numbers and a frame debugger: how to find out why"],
+    ["teachers.html", "grading a class, the chart of speed against error, how it is built"],
+  ].map(([file, what]) => ({ ...pages.find((page) => page.file === file), what })).filter(({ file }) => file);
+  return landing({
+    introduction: paragraphs(before, (text) => /^[A-Z]/.test(text.trim()) && !words++),
+    order: paragraphs(partOf("The labs")?.body ?? "", (text) => /^[A-Z]/.test(text.trim())),
+    labs: labs.map((page) => ({ file: page.file, title: page.label, ...firstPicture(page), ...describe(readme, page.source) })),
+    ways,
+  });
+}
+
+const write = (page) => writeFileSync(path.join(output, page.file), frame(page, pages, style, read("../pages/shell.html")));
 
 rmSync(output, { recursive: true, force: true });
 mkdirSync(output, { recursive: true });
-for (const page of pages) {
-  Object.assign(page, render(page.source, site));
+for (const page of pages.filter(({ source }) => source)) {
+  Object.assign(page, render(page.source, site, page.text));
   page.label ??= escape(page.title.replace(/^Lab (\d\d): /, "$1 "));
 }
-for (const page of pages) write(page, page.title, page.html);
+wrong.html = gallery(labs);
+const slides = slidesOfTasks(read("slides.md"));
+for (const page of labs) Object.assign(page, decorate(page, slides));
+start.html = makeStart();
+Object.assign(finder, search(pages.filter(({ html }) => html), read("search.js")));
+for (const page of pages) write(page);
 for (const [file, target] of listings) {
-  const text = escape(readFileSync(file, "utf8"));
-  write({ file: target }, file, `<h1>${escape(file)}</h1>\n<pre tabindex="0" class="listing"><code>${text}</code></pre>\n`);
+  const text = colored(readFileSync(file, "utf8"), languageOf(file), escape);
+  write({ file: target, title: escape(file), html: `<h1>${escape(file)}</h1>\n<pre tabindex="0" class="listing"><code>${text}</code></pre>\n` });
 }
 const first = path.join(output, "index.html");
 console.log(`site: ${pages.length} pages and ${listings.size} listings in ${output}; open ${first}`);

@@ -3,10 +3,14 @@
 import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
+import { colored } from "./code.mjs";
 import { putFormulas, takeFormulas } from "./formulas.mjs";
 
 const entities = { "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" };
 export const escape = (text) => text.replace(/[&<>"]/g, (letter) => entities[letter]);
+// A text of one line as HTML: `code` is marked, and nothing else.
+export const prose = (text) => escape(text).replace(/`([^`]+)`/g, "<code>$1</code>");
+const unescape = (html) => html.replace(/&(lt|gt|quot|amp);/g, (_, name) => ({ lt: "<", gt: ">", quot: '"', amp: "&" })[name]);
 const plain = (html) => html.replace(/<annotation[^]*?<\/annotation>/g, "").replace(/<[^>]*>/g, "");
 
 function parse(markdown) {
@@ -14,10 +18,17 @@ function parse(markdown) {
   return html.replace(/<!-- raw HTML omitted -->\n?/g, "");
 }
 
+// Fenced code that names its language.
+const colorCode = (html) => html.replace(/<code class="language-([\w-]+)">([^]*?)<\/code>/g,
+  (_, language, code) => `<code>${colored(unescape(code), language, escape)}</code>`);
+
+// The anchor of a heading.
+export const slug = (words) => words.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "section";
+
 function addAnchors(html) {
   const used = new Set();
   return html.replace(/<h([2-4])>([^]*?)<\/h\1>/g, (_, level, inner) => {
-    const words = plain(inner).toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "") || "section";
+    const words = slug(plain(inner));
     let id = words;
     for (let n = 2; used.has(id); n++) id = `${words}-${n}`;
     used.add(id);
@@ -35,14 +46,14 @@ function pictureSize(file) {
   return width && height ? ` width="${width}" height="${height}"` : "";
 }
 
-// Renders the page's Markdown. `site` says where things go: site.picture(file) and site.link(file) return the address of
-// a file of the project (both relative to the project), or undefined when the site has none; in a site.partial (of the
-// student's kit, which lacks some files) that is no error.
-export function render(source, site) {
+// Renders the page's Markdown, or `markdown` in its place. `site` says where things go: site.picture(file) and
+// site.link(file, hash) return the address of a file of the project (both relative to the project), or undefined when the
+// site has none; in a site.partial (of the student's kit, which lacks some files) that is no error.
+export function render(source, site, markdown = readFileSync(source, "utf8")) {
   const folder = path.dirname(source);
   const inProject = (address) => path.normalize(path.join(folder, decodeURI(address)));
-  const { text, formulas } = takeFormulas(readFileSync(source, "utf8"));
-  let html = putFormulas(addAnchors(parse(text)), formulas, source);
+  const { text, formulas } = takeFormulas(markdown);
+  let html = putFormulas(addAnchors(colorCode(parse(text))), formulas, source);
   html = html.replace(/<img src="([^"]*)" alt="([^"]*)"[^>]*\/>/g, (_, address, alt) => {
     const file = inProject(address);
     if (!existsSync(file)) return `<em class="missing">${alt} (this picture is not made yet: ${escape(file)})</em>`;
@@ -50,13 +61,13 @@ export function render(source, site) {
   });
   html = html.replace(/<a href="([^"#]*)(#[^"]*)?"/g, (whole, address, hash = "") => {
     if (/^[a-z]+:/.test(address) || address === "") return whole;
-    const target = site.link(inProject(address));
+    const target = site.link(inProject(address), hash);
     if (!target && site.partial) return "<a"; // words without a link
     if (!target) throw new Error(`${source}: the link to ${address} leads nowhere`);
-    return `<a href="${target}${hash}"`;
+    return `<a href="${target}"`;
   });
   html = html.replace(/<code>((?:common|shaders)\/[\w./-]+)<\/code>/g, (whole, file) => {
-    const target = /\.\w+$/.test(file) && existsSync(file) && site.link(file);
+    const target = /\.\w+$/.test(file) && existsSync(file) && site.link(file, "");
     return target ? `<a href="${target}">${whole}</a>` : whole;
   });
   html = html.replace(/<th([^>]*)><\/th>/g, "<td$1></td>"); // Markdown wants a head; an empty one heads nothing

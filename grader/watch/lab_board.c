@@ -17,11 +17,13 @@ static void add_lab(const char *id, void *context) {
     if (board->lab_count == COURSE_MAX_LABS)
         check_fail("there are more than %d labs", COURSE_MAX_LABS);
     else if (!check_message()[0] && places_find_lab(folder, id) &&
-             rubric_load(&board->rubrics[board->lab_count], folder))
-        board->lab_count++;
+             rubric_load(&board->rubrics[board->lab_count], folder)) {
+        const int lab = board->lab_count++;
+        afterword_load(&board->afterwords[lab], &board->rubrics[lab]);
+    }
 }
 
-static bool is_done(const LabBoard *board, int lab) {
+bool lab_board_is_done(const LabBoard *board, int lab) {
     const LabProgress *progress = progress_find(&board->progress, board->rubrics[lab].id);
     return progress && progress->done;
 }
@@ -29,7 +31,7 @@ static bool is_done(const LabBoard *board, int lab) {
 int lab_board_next(const LabBoard *board) {
     for (int i = 1; i < board->lab_count; i++) {
         const int lab = (board->current + i) % board->lab_count;
-        if (!is_done(board, lab))
+        if (!lab_board_is_done(board, lab))
             return lab;
     }
     return -1;
@@ -52,14 +54,16 @@ bool lab_board_create(LabBoard *board, const char *folder, const char *id) {
     if (lab < 0)
         return check_fail("there is no lab \"%s\"; give two digits as in labs/, for instance LAB=02", id);
     lab_board_turn_to(board, lab);
-    if (!id && is_done(board, lab) && lab_board_next(board) >= 0)
+    if (!id && lab_board_is_done(board, lab) && lab_board_next(board) >= 0)
         lab_board_turn_to(board, lab_board_next(board));
     return true;
 }
 
 void lab_board_destroy(LabBoard *board) {
-    for (int i = 0; i < board->lab_count; i++)
+    for (int i = 0; i < board->lab_count; i++) {
         rubric_destroy(&board->rubrics[i]);
+        afterword_destroy(&board->afterwords[i]);
+    }
     board->lab_count = 0;
 }
 
@@ -132,10 +136,21 @@ static void find_focus(LabBoard *board) {
 }
 
 static bool record(LabBoard *board, const LabVerdict *verdict) {
+    const Rubric *rubric = &board->rubrics[verdict->lab];
+    MistakesMet met = {0};
     if (verdict->fault || verdict->status > LAB_FAILED) // it does not compile just now: that is no step back
         return true;
-    return progress_record(&board->progress, board->rubrics[verdict->lab].id, verdict->score,
-                           verdict->max_score, verdict->done);
+    for (int c = 0; c < verdict->check_count; c++)
+        if (!verdict->checks[c].passed && !verdict->checks[c].undone)
+            mistakes_met_add(&met, rubric, verdict->checks[c].mistake);
+    return progress_record(&board->progress, rubric->id, verdict->score, verdict->max_score, verdict->done,
+                           &met);
+}
+
+bool lab_board_begin_again(LabBoard *board, int lab) {
+    const Rubric *rubric = &board->rubrics[lab];
+    return !progress_find(&board->progress, rubric->id) ||
+           progress_record(&board->progress, rubric->id, 0, rubric_points(rubric), false, NULL);
 }
 
 bool lab_board_take(LabBoard *board, const LabVerdict *verdict) {
@@ -186,7 +201,7 @@ void lab_board_hint(LabBoard *board) {
 int lab_board_done(const LabBoard *board) {
     int count = 0;
     for (int i = 0; i < board->lab_count; i++)
-        count += is_done(board, i);
+        count += lab_board_is_done(board, i);
     return count;
 }
 

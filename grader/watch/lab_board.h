@@ -1,6 +1,7 @@
 // What the watch knows: the labs, how far each is, and which one is worked on.
 #pragma once
 
+#include "compile/afterword.h"
 #include "watch/grading_process.h"
 #include "grade/progress.h"
 
@@ -20,6 +21,7 @@ typedef struct Focus {
 typedef struct LabBoard {
     const char *folder; // shaped like labs/
     Rubric rubrics[COURSE_MAX_LABS];
+    Afterword afterwords[COURSE_MAX_LABS];
     int lab_count;
     Progress progress;
     int current;   // the lab that is worked on
@@ -49,6 +51,9 @@ int lab_board_next(const LabBoard *board);
 // just been done.
 bool lab_board_take(LabBoard *board, const LabVerdict *verdict);
 
+// Notes in the progress that a lab was put back to the skeleton: it has no points now. False with a message.
+bool lab_board_begin_again(LabBoard *board, int lab);
+
 // The folder of a lab's files.
 void lab_board_lab_folder(const LabBoard *board, int lab, char folder[FILES_PATH]);
 
@@ -57,6 +62,9 @@ void lab_board_hint(LabBoard *board);
 
 // The hints of the task in focus that are shown.
 int lab_board_hints_shown(const LabBoard *board);
+
+// Is the lab done, by its last grading?
+bool lab_board_is_done(const LabBoard *board, int lab);
 
 // The number of labs done.
 int lab_board_done(const LabBoard *board);

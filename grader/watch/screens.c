@@ -1,12 +1,23 @@
 // Writes a lab's screen, the list of labs, and the line of keys at the bottom.
 #include "watch/screens.h"
 
-#include "exam/handed_out.h"
+#include "watch/after_lab.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { BAR = 24, WIDE_BAR = 40 };
+
+// Points are rounded down: what is not whole must not look as if it were.
+static double round_down(double points, double step) {
+    return floor(points / step + 1e-6) * step;
+}
+
+static const char *points_text(char text[16], double points) {
+    snprintf(text, 16, "%4.3g", round_down(points, 0.1));
+    return text;
+}
 
 static double share(double part, double whole) {
     return whole > 0 ? part / whole : 0;
@@ -16,8 +27,8 @@ static void show_total(Sheet *sheet, const LabBoard *board) {
     char bar[WIDE_BAR + 8];
     const double score = lab_board_score(board), max_score = lab_board_max_score(board);
     sheet_bar(bar, sizeof bar, share(score, max_score), sheet->columns < 96 ? BAR : WIDE_BAR);
-    sheet_line(sheet, STYLE_BOLD, "Shadow Lab  %s %.0f of %.0f points, %d of %d labs done", bar, score,
-               max_score, lab_board_done(board), board->lab_count);
+    sheet_line(sheet, STYLE_BOLD, "Shadow Lab  %s %.0f of %.0f points, %d of %d labs done", bar,
+               round_down(score, 1), max_score, lab_board_done(board), board->lab_count);
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
 }
 
@@ -43,10 +54,10 @@ static void show_title(Sheet *sheet, const LabBoard *board) {
     }
     const double gained = verdict->score - board->score_before;
     if (board->score_before >= 0 && (gained >= 0.005 || gained <= -0.005))
-        snprintf(change, sizeof change, "  (%+.0f)", gained);
+        snprintf(change, sizeof change, "  (%+.3g)", gained);
     sheet_bar(bar, sizeof bar, share(verdict->score, verdict->max_score), BAR);
     sheet_line(sheet, STYLE_BOLD, "Lab %s: %s  %s %.0f of %.0f%s", rubric->id, rubric->title, bar,
-               verdict->score, verdict->max_score, change);
+               round_down(verdict->score, 1), verdict->max_score, change);
 }
 
 static void show_checks(Sheet *sheet, const LabBoard *board) {
@@ -54,12 +65,13 @@ static void show_checks(Sheet *sheet, const LabBoard *board) {
     for (int c = 0; c < board->verdict.check_count; c++) {
         const VerdictCheck *result = &board->verdict.checks[c];
         const Check *check = &rubric->checks[c];
+        char points[16];
         sheet_marked(sheet, result->passed ? STYLE_GOOD : STYLE_BAD,
                      result->passed            ? "  ok   "
                      : c == board->focus.check ? "> open "
                                                : "  open ",
-                     "%-5s %-48s %2.0f of %d%s", check->task, check->name, result->points, check->points,
-                     check->optional ? " (optional)" : "");
+                     "%-5s %-48s %s of %d%s", check->task, check->name, points_text(points, result->points),
+                     check->points, check->optional ? " (optional)" : "");
     }
 }
 
@@ -105,7 +117,7 @@ static void show_words(Sheet *sheet, const LabBoard *board) {
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
     sheet_line(sheet, STYLE_DIM, "in %s:", folder);
     sheet_text(sheet, STYLE_BAD, 2, verdict->message);
-    sheet_text(sheet, STYLE_PLAIN, 2, verdict->warnings);
+    sheet_text(sheet, STYLE_NOTE, 2, verdict->warnings);
 }
 
 void screens_lab(Sheet *sheet, const LabBoard *board, bool busy) {
@@ -118,15 +130,18 @@ void screens_lab(Sheet *sheet, const LabBoard *board, bool busy) {
         return;
     }
     const bool broken = is_broken(&board->verdict);
-    if (!broken)
+    if (board->verdict.done)
+        after_lab_show_done(sheet, board);
+    if (!broken && !board->verdict.done)
         show_checks(sheet, board);
     show_words(sheet, board);
     if (!broken && board->focus.check >= 0)
         show_focus(sheet, board);
-    if (board->verdict.done)
-        sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on%s%s",
-                   handed_out_alone() ? "." : "; our solution, to compare: solutions/",
-                   handed_out_alone() ? "" : strrchr(board->rubrics[board->current].folder, '/') + 1);
+    if (board->verdict.done) {
+        after_lab_show(sheet, board, board->current);
+        sheet_line(sheet, STYLE_PLAIN, "%s", "");
+        show_checks(sheet, board);
+    }
 }
 
 static void show_row(Sheet *sheet, const LabBoard *board, int lab, bool marked) {
@@ -135,10 +150,11 @@ static void show_row(Sheet *sheet, const LabBoard *board, int lab, bool marked) 
     char bar[WIDE_BAR + 8], remark[64] = "not begun";
     sheet_bar(bar, sizeof bar, progress ? share(progress->score, progress->max_score) : 0, BAR);
     if (progress)
-        snprintf(remark, sizeof remark, "%.0f of %.0f", progress->score, progress->max_score);
+        snprintf(remark, sizeof remark, "%.0f of %.0f", round_down(progress->score, 1), progress->max_score);
     if (progress && progress->best > progress->score)
-        snprintf(remark + strlen(remark), sizeof remark - strlen(remark), ", best %.0f", progress->best);
-    if (progress && progress->done_on[0])
+        snprintf(remark + strlen(remark), sizeof remark - strlen(remark), ", best %.0f",
+                 round_down(progress->best, 1));
+    if (progress && progress->done && progress->done_on[0])
         snprintf(remark + strlen(remark), sizeof remark - strlen(remark), ", done on %s", progress->done_on);
     sheet_marked(sheet, progress && progress->done ? STYLE_GOOD : STYLE_PLAIN, marked ? "> " : "  ",
                  "%s %-32s %s %s", rubric->id, rubric->title, bar, remark);

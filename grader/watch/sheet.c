@@ -4,11 +4,9 @@
 #include <stdarg.h>
 #include <string.h>
 
-static const char *const codes[] = {[STYLE_PLAIN] = "",
-                                    [STYLE_GOOD] = "\033[32m",
-                                    [STYLE_BAD] = "\033[31m",
-                                    [STYLE_BOLD] = "\033[1m",
-                                    [STYLE_DIM] = "\033[2m"};
+static const char *const codes[] = {
+    [STYLE_PLAIN] = "",        [STYLE_GOOD] = "\033[32m", [STYLE_BAD] = "\033[31m",
+    [STYLE_NOTE] = "\033[33m", [STYLE_BOLD] = "\033[1m",  [STYLE_DIM] = "\033[2m"};
 
 void sheet_begin(Sheet *sheet, int columns) {
     sheet->columns = columns < SHEET_WIDTH ? columns : SHEET_WIDTH - 1;
@@ -98,19 +96,23 @@ void sheet_print(const Sheet *sheet, FILE *out, bool color) {
     fflush(out);
 }
 
+int sheet_last_top(const Sheet *sheet, int rows) {
+    return sheet->count > rows - 1 ? sheet->count - (rows - 1) : 0;
+}
+
 // One write, from the top, without clearing first: nothing flickers.
-void sheet_show(const Sheet *sheet, const char *footer, int columns, int rows, bool color) {
+void sheet_show(const Sheet *sheet, int top, const char *footer, int columns, int rows, bool color) {
     static char buffer[SHEET_LINES * (SHEET_WIDTH + 64)];
     FILE *out = fmemopen(buffer, sizeof buffer, "w");
-    const int room = rows - 1, shown = sheet->count <= room ? sheet->count : room - 1;
+    const int room = rows - 1, left = sheet->count - top, shown = left <= room ? left : room - 1;
     if (!out)
         return;
     fputs("\033[H", out);
     for (int i = 0; i < room; i++) {
         if (i < shown)
-            put_line(out, &sheet->lines[i], columns, color);
-        else if (i == shown && shown < sheet->count)
-            put_text(out, STYLE_DIM, "... (a larger window shows more)", columns, color);
+            put_line(out, &sheet->lines[top + i], columns, color);
+        else if (i == shown && shown < left)
+            put_text(out, STYLE_DIM, "... (down, or a larger window shows more)", columns, color);
         fputs("\033[K\r\n", out);
     }
     put_text(out, STYLE_DIM, footer, columns - 1, color);

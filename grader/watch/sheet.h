@@ -6,7 +6,7 @@
 
 enum { SHEET_LINES = 160, SHEET_WIDTH = 320, SHEET_MARK = 8 };
 
-typedef enum Style { STYLE_PLAIN, STYLE_GOOD, STYLE_BAD, STYLE_BOLD, STYLE_DIM } Style;
+typedef enum Style { STYLE_PLAIN, STYLE_GOOD, STYLE_BAD, STYLE_NOTE, STYLE_BOLD, STYLE_DIM } Style;
 
 typedef struct PageLine {
     Style mark_style, style;
@@ -37,6 +37,9 @@ void sheet_bar(char *text, size_t size, double share, int width);
 // Writes the whole sheet, line by line, with the colours of a terminal when `color`.
 void sheet_print(const Sheet *sheet, FILE *out, bool color);
 
-// Fills the screen: the sheet from the top (what does not fit is cut, and the last line says so), `footer` in
-// the last row.
-void sheet_show(const Sheet *sheet, const char *footer, int columns, int rows, bool color);
+// How far down a sheet can be scrolled on a screen of so many rows: 0 when all of it fits.
+int sheet_last_top(const Sheet *sheet, int rows);
+
+// Fills the screen: the sheet from line `top` on (0 to sheet_last_top; when more follows, the last line says
+// so), `footer` in the last row.
+void sheet_show(const Sheet *sheet, int top, const char *footer, int columns, int rows, bool color);

@@ -115,7 +115,12 @@ static void draw_picture(const Frame *frame) {
     glViewport(0, 0, frame->width, frame->height);
 #else
     // TODO(2.3): back to the picture: bind frame->framebuffer and set the viewport to frame->width x
-    // frame->height. (Until 2.2 and 2.4 are done the picture is still bound and all seems well.)
+    // frame->height. Until then nothing is drawn here while a texture is bound: it would lose what 2.2 and
+    // 2.4 have drawn into it.
+    GLint bound = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    if ((GLuint)bound != frame->framebuffer)
+        return;
 #endif
     const Program *program =
         &frame->programs[frame->knobs[KNOB_FULL_SCREEN] > 0 ? PROGRAM_DEPTH_VIEW : PROGRAM_SCREEN];

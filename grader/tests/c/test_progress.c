@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "grade/progress.h"
 
+#include <jansson.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -50,9 +52,9 @@ static void test_nothing_yet(void **unused) {
 static void test_kept(void **unused) {
     (void)unused;
     Progress progress = load();
-    assert_true(progress_record(&progress, "03", 100, 100, true));
-    assert_true(progress_record(&progress, "05", 12.34, 100, false));
-    assert_true(progress_record(&progress, "03", 40, 100, false));
+    assert_true(progress_record(&progress, "03", 100, 100, true, NULL));
+    assert_true(progress_record(&progress, "05", 12.34, 100, false, NULL));
+    assert_true(progress_record(&progress, "03", 40, 100, false, NULL));
     Progress again = load();
     assert_int_equal(again.count, 2);
     const LabProgress *three = progress_find(&again, "03"), *five = progress_find(&again, "05");
@@ -65,10 +67,64 @@ static void test_unknown_keys_stay(void **unused) {
     (void)unused;
     Progress progress = load();
     assert_true(files_write(file, "{\"version\": 1, \"name\": \"me\", \"labs\": {}}"));
-    assert_true(progress_record(&progress, "01", 1, 100, false));
+    assert_true(progress_record(&progress, "01", 1, 100, false, NULL));
     char *text = files_read(file, 1 << 16);
     assert_non_null(strstr(text, "\"me\""));
     free(text);
+}
+
+static json_t *entry_of(const char *id) {
+    json_t *root = json_load_file(file, 0, NULL), *entry = NULL;
+    assert_non_null(root);
+    entry = json_incref(json_object_get(json_object_get(root, "labs"), id));
+    json_decref(root);
+    return entry;
+}
+
+static void test_mistakes(void **unused) {
+    (void)unused;
+    Progress progress = load();
+    Change changes[3] = {{.name = "no bias"}, {.name = "no bias at all"}, {.name = "too much"}};
+    const Rubric rubric = {.mistakes = changes, .mistake_count = 3};
+    MistakesMet met = {0};
+    mistakes_met_add(&met, &rubric, "too much, or no bias");
+    mistakes_met_add(&met, &rubric, "no bias at all");
+    mistakes_met_add(&met, &rubric, "too much"); // once is enough
+    mistakes_met_add(&met, &rubric, "no bias whatever");
+    mistakes_met_add(&met, &rubric, "");
+    assert_int_equal(met.count, 2);
+    assert_true(progress_record(&progress, "04", 1, 100, false, &met));
+    assert_true(progress_record(&progress, "04", 1, 100, false, &met));
+    json_t *entry = entry_of("04"), *mistakes = json_object_get(entry, "mistakes");
+    assert_int_equal(json_array_size(mistakes), 2);
+    assert_string_equal(json_string_value(json_array_get(mistakes, 0)), "too much");
+    assert_string_equal(json_string_value(json_array_get(mistakes, 1)), "no bias at all");
+    json_decref(entry);
+}
+
+// The seconds that are noted after a grading whose forerunner was so many seconds ago.
+static double seconds_after(double ago) {
+    char text[300];
+    Progress progress = load();
+    snprintf(text, sizeof text,
+             "{\"version\": 1, \"labs\": {\"03\": {\"score\": 1, \"max_score\": 100, \"best\": 1, \"done\": "
+             "false, "
+             "\"mistakes\": 7, \"seconds\": 100, \"last\": %.0f}}}",
+             (double)time(NULL) - ago);
+    assert_true(files_write(file, text));
+    assert_true(progress_record(&progress, "03", 2, 100, false, NULL));
+    json_t *entry = entry_of("03");
+    const double seconds = json_number_value(json_object_get(entry, "seconds"));
+    json_decref(entry);
+    return seconds;
+}
+
+// A pause of ten minutes is work, one of two hours is none, and a clock that was put back takes nothing away.
+static void test_time(void **unused) {
+    (void)unused;
+    assert_true(seconds_after(600) >= 700 && seconds_after(600) < 1900);
+    assert_true(seconds_after(7200) == 100);
+    assert_true(seconds_after(-7200) == 100);
 }
 
 // Each damaged file is kept under a name of its own.
@@ -91,7 +147,7 @@ static void test_damaged(void **unused) {
         char *text = files_read(aside, 1 << 16);
         assert_string_equal(text, damaged[i]);
         free(text);
-        assert_true(progress_record(&progress, "03", 7, 100, false));
+        assert_true(progress_record(&progress, "03", 7, 100, false, NULL));
         progress = load();
         assert_int_equal(progress.count, 1);
     }
@@ -102,7 +158,7 @@ static void test_not_writable(void **unused) {
     (void)unused;
     Progress progress = load();
     setenv("SHADOW_LAB_PROGRESS", "/no/such/folder/progress.json", 1);
-    assert_false(progress_record(&progress, "03", 7, 100, false));
+    assert_false(progress_record(&progress, "03", 7, 100, false, NULL));
     assert_non_null(strstr(check_message(), "/no/such/folder/progress.json cannot be written"));
     check_clear();
     setenv("SHADOW_LAB_PROGRESS", folder, 1);
@@ -122,7 +178,7 @@ static void test_at_once(void **unused) {
             static Progress progress;
             bool ok = true;
             for (int i = 1; i <= TIMES; i++)
-                ok = progress_record(&progress, id, i, 100, false) && ok;
+                ok = progress_record(&progress, id, i, 100, false, NULL) && ok;
             _exit(ok && !progress.note[0] ? 0 : 1);
         }
     }
@@ -142,6 +198,8 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_nothing_yet, begin, end),
         cmocka_unit_test_setup_teardown(test_kept, begin, end),
         cmocka_unit_test_setup_teardown(test_unknown_keys_stay, begin, end),
+        cmocka_unit_test_setup_teardown(test_mistakes, begin, end),
+        cmocka_unit_test_setup_teardown(test_time, begin, end),
         cmocka_unit_test_setup_teardown(test_damaged, begin, end),
         cmocka_unit_test_setup_teardown(test_not_writable, begin, end),
         cmocka_unit_test_setup_teardown(test_at_once, begin, end),

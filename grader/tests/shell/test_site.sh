@@ -12,7 +12,7 @@ runs flock $browser/package.json make --no-print-directory BUILD="$work" grader/
 expect "npm" 0
 runs node grader/site/build.mjs "$work/site"
 labs=(labs/[0-9][0-9]-*[a-z]) rooms=(grader/*/*.md)
-expect "the site is built" 0 "$((4 + ${#labs[@]} + ${#rooms[@]})) pages"
+expect "the site is built" 0 "$((8 + ${#labs[@]} + ${#rooms[@]})) pages"
 
 # An eye of its own, with Python's parser: what is counted here is not what the site's builder counted.
 cat >"$work/look.py" <<'PYTHON'
@@ -33,7 +33,7 @@ class Page(html.parser.HTMLParser):
         if tag in self.stack:
             while self.stack.pop() != tag: pass
     def handle_data(self, data):
-        if not {"code", "pre", "annotation", "style"} & set(self.stack): self.text += data
+        if not {"code", "pre", "annotation", "style", "script"} & set(self.stack): self.text += data
 site = pathlib.Path(sys.argv[1])
 pages = {f.name: Page(f) for f in site.glob("*.html")}
 wrong = 0
@@ -56,12 +56,13 @@ for source in sys.argv[2:]:
     count = len(re.findall(r"(?s)\$\$.+?\$\$|\$[^$]+\$", text))
     parts = source.split("/")
     room = "-".join(part.lower().removesuffix(".md") for part in parts if part != "README.md")
-    name = {"README.md": "index", "common/DEBUGGING.md": "debugging", ".github/CONTRIBUTING.md": "contributing", "grader/site/slides.md": "slides"}.get(source)
+    name = {"README.md": "students", "common/DEBUGGING.md": "debugging", ".github/CONTRIBUTING.md": "contributing", "grader/site/slides.md": "slides"}.get(source)
     name = (name or (room if parts[0] == "grader" else parts[-2])) + ".html"
-    if pages[name].math != count: say(name, "has", pages[name].math, "formulas,", source, "has", count)
+    math = pages[name].math + (pages["teachers.html"].math + pages["index.html"].math if source == "README.md" else 0)
+    if math != count: say(name, "has", math, "formulas,", source, "has", count)
 name, way = "index.html", []
 while name: way.append(name); name = pages[name].next
-if way != ["index.html", *sorted(n for n in pages if n[0].isdigit()), "slides.html", "debugging.html", "contributing.html", "grader.html", *sorted((n for n in pages if n.startswith("grader-")), key=lambda n: n[:-5])]: say("the way through the lectures is", way)
+if way != ["index.html", "students.html", *sorted(n for n in pages if n[0].isdigit()), "wrong.html", "slides.html", "debugging.html", "search.html", "teachers.html", "contributing.html", "grader.html", *sorted((n for n in pages if n.startswith("grader-")), key=lambda n: n[:-5])]: say("the way through the lectures is", way)
 if "slides.html" not in pages["index.html"].links: say("index.html has no link to slides.html")
 print(len(pages), "pages", sum(p.math for p in pages.values()), "formulas")
 sys.exit(wrong > 0)
@@ -76,6 +77,7 @@ grep -qE '[1-9][0-9]+ formulas' <<<"$out" && ok || bad "there are formulas" "$ou
 mapfile -t shown < <(ls "$work"/site/*.html | grep -v /file-; ls "$work"/site/file-*.html | head -1)
 runs node $browser/audit.mjs "${shown[@]}"
 expect "nothing wrong in a browser" 0
+browses course.mjs "$work/site"
 
 # The checkers see what is wrong.
 cp -r "$work/site" "$work/kept"
@@ -107,7 +109,7 @@ mv elsewhere solutions
 { cat "$work/page"; printf '\nPay $5 or `$HOME$`, `` `$x$` ``: $a_1 * b_2 * c$ and 6$.\n\n```sh\necho $1 $2\n```\n\n    set $HOME$ aside\n\n| $|x|$ | b |\n|---|---|\n| $y$ | $|z|$ |\n'; } >$page
 runs node grader/site/build.mjs "$work/none"
 expect "dollars in code and prose" 0
-out=$(tail -40 "$work/none/03-shadow-map.html")
+out=$(tail -40 "$work/none/03-shadow-map.html" | sed 's/<span class="hljs[^>]*>\([^<]*\)<\/span>/\1/g') # without colours
 for text in '<code>$HOME$</code>' '<code>`$x$`</code>' 'echo $1 $2' 'set $HOME$ aside' 'Pay $5' 'and 6$.' '<annotation encoding="application/x-tex">a_1 * b_2 * c</annotation>' '>|z|</annotation>'; do
     grep -qF -- "$text" <<<"$out" && ok || bad "no $text" "$out"
 done

@@ -48,8 +48,12 @@ for task in 4.1 4.2 4.3 4.4; do
     before=$now
 done
 cp solutions/04-*/*.{c,frag} labs/04-*/
-sees "the lab is done, and the next one comes" "Lab 04 is done: 100 of 100 points"
+sees "the lab is done" "Lab 04 is done: 100 of 100 points"
+sees "how to go on" "This lab is done\. n goes on to lab 05"
+sees "the answer to its question" "The handout's question, answered"
+type n
 sees "the next lab is graded" "Task 5\.1  labs/05"
+[[ $out != *"question, answered"* ]] && ok || bad "an answer to a lab that is not done" "$out"
 python3 -c 'import json,sys; l=json.load(open(sys.argv[1]))["labs"]; assert l["04"]["done"] and l["04"]["best"] == 100 and not l["05"]["done"]' "$SHADOW_LAB_PROGRESS" && ok || bad "the progress is kept" "$(cat "$SHADOW_LAB_PROGRESS")"
 
 # Keys.
@@ -76,7 +80,11 @@ sees "a save in another lab" "Lab 04: .*100 of 100"
 terminal resize-window -t watch -x 44 -y 7
 sees "a small terminal" "a larger window shows more"
 [[ $(screen | sed -n 7p) == "h hint"* ]] && ok || bad "the keys are in the last row" "$(screen)"
+for ((n = 0; n < 40; n++)); do type Down; done
+sees "the end of what is told, by the keys" "the shadow moves by"
+[[ $(screen | sed -n 7p) == "h hint"* && $(screen) != *"larger window"* ]] && ok || bad "the end of a screen that was scrolled" "$(screen)"
 terminal resize-window -t watch -x 100 -y 30
+for ((n = 0; n < 40; n++)); do type Up; done
 sees "a large terminal again" "This lab is done\. n goes on"
 
 # Ctrl-Z and back; q; signals. Each time the terminal is as it was.
@@ -122,6 +130,21 @@ grep -q '"labs"$' "$SHADOW_LAB_PROGRESS.damaged-1" && ok || bad "a damaged progr
 status=0
 out=$(build/watch --lab 05 </dev/null 2>&1) || status=$?
 expect "without a terminal, not done" 1 "does not compile"
+
+# The answer on paper: only of what is done. A reset takes the points back.
+answers() { status=0; out=$(build/watch "$@" 2>&1 </dev/null) || status=$?; }
+answers --lab 04 --answer
+expect "the answer of a lab that is done" 0 "The idea" "The handout's question, answered" "To try in the window" "make showcase"
+answers --lab 05 --answer
+expect "no answer of a lab that is open" 1 "Lab 05 is not done yet"
+[[ $out != *"answered"* ]] && ok || bad "an answer too early" "$out"
+answers --answer
+expect "the answer of which lab?" 2 "go with --lab NN"
+answers --lab 04 --begin-again
+expect "begun again" 0
+answers --list
+expect "the list after that" 0 "0 of 100, best 100"
+[[ $out != *"done on"* ]] && ok || bad "still done" "$out"
 status=0
 out=$(build/watch --lab 77 2>&1) || status=$?
 expect "no such lab" 2 'there is no lab "77"'

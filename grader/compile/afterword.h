@@ -1,0 +1,25 @@
+// What is told when a lab is done, and no earlier: solutions/NN-name/afterword.json. It holds the answer to
+// the handout's question, so no student meets it by reading the lab's folder.
+#pragma once
+
+#include "compile/rubric.h"
+
+#include <stdbool.h>
+
+// All strings belong to the afterword and live until afterword_destroy. Backticks and *stars* mark code and
+// knobs, as in a handout.
+typedef struct Afterword {
+    const char *idea; // of the lab, in two sentences; NULL: the lab has no afterword
+    const char *answers[AFTERWORD_MAX_PARTS];
+    int answer_count;
+    const char *other_way; // how else it can be done, in words
+    const char *tries[AFTERWORD_MAX_PARTS];
+    int try_count;
+    json_t *json; // where the strings live
+} Afterword;
+
+// Reads the afterword of a rubric that was read; without the file it stays empty. False with a message that
+// names file and entry.
+bool afterword_load(Afterword *afterword, const Rubric *rubric);
+
+void afterword_destroy(Afterword *afterword); // accepts a zeroed afterword

@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# Diagrams and figures to play with: the diagrams are what their descriptions say, the figures' numbers are right, and they
+# work by keys, mouse and finger. The checkers see what is wrong.
+set -u
+source "$(dirname "$0")/../helpers/lib.sh"
+cd "$root" || exit 1
+browser=grader/tests/browser
+for tool in node npm cmark-gfm chromium; do
+    command -v $tool >/dev/null || { echo "skipped: $tool is not here (common/setup --check)"; echo "0 passed, 0 failed"; exit 0; }
+done
+runs() { status=0; out=$("$@" 2>&1) || status=$?; }
+runs node grader/site/diagrams.mjs --check
+expect "the diagrams are as described" 0
+runs node $browser/figure_models.mjs "${SEED:-$RANDOM}"
+expect "the figures' numbers are right" 0 ", 0 failed"
+runs flock $browser/package.json make --no-print-directory BUILD="$work" grader/site/node_modules/.package-lock.json $browser/node_modules/.package-lock.json
+expect "npm" 0
+runs node grader/site/build.mjs "$work/site"
+expect "the site is built" 0
+sed -n '/class="play"/,/<\/script>/p' "$work"/site/03-*.html | grep 'http' && bad "a figure names no address" || ok
+runs node $browser/figure_pages.mjs "$work/site"
+expect "the figures in a browser" 0 ", 0 failed"
+
+# What is wrong is seen: a number, a drawing, a picture that a handout does not show, a lab without a diagram.
+copy=$work/copy
+mkdir -p "$copy/grader/tests"
+cp -r grader/site "$copy/grader/site"
+cp -r $browser "$copy/grader/tests/browser"
+cp -r solutions "$copy/solutions"
+cd "$copy" || exit 1
+sed -i 's|(1 - x / Math.hypot(x, h)) / 2|(1 - x / Math.hypot(x, h)) / 2.1|' solutions/08-*/figure.mjs
+runs node $browser/figure_models.mjs 1
+expect "a formula that is wrong" 1 "FAILED: 08: x = 3, h = 4"
+rm -r solutions/13-*/diagram.mjs
+sed -i 's/M/m/' solutions/04-*/texel.svg
+sed -i '/passes.svg/d' solutions/03-*/README.md
+runs node grader/site/diagrams.mjs --check
+expect "wrong diagrams" 1 "diagram.mjs is missing" "texel.svg is not what" "README.md does not show"
+runs node grader/site/diagrams.mjs 04
+expect "drawn again" 0 "solutions/04-acne-and-bias/texel.svg"
+runs node grader/site/diagrams.mjs 04
+expect "the same bytes each time" 0
+[[ -z $out ]] && ok || bad "nothing is rewritten" "$out"
+for page in "$work"/site/0[3-5]-*.html; do sed -i 's/tan(/cos(/; s/<dd>\${value}/<dd>0/' "$page"; done
+runs node $browser/figure_pages.mjs "$work/site"
+expect "a script that was changed does not run" 1 "the numbers at the start"
+finish

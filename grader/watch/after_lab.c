@@ -1,0 +1,59 @@
+#include "watch/after_lab.h"
+
+#include "exam/handed_out.h"
+
+#include <string.h>
+
+enum { PRINTED_WIDTH = 100 };
+
+void after_lab_show_done(Sheet *sheet, const LabBoard *board) {
+    const int next = lab_board_next(board);
+    if (next < 0)
+        sheet_line(sheet, STYLE_GOOD, "  This lab is done, and all others are.");
+    else
+        sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on to lab %s: %s.", board->rubrics[next].id,
+                   board->rubrics[next].title);
+}
+
+static void show_head(Sheet *sheet, const char *head) {
+    sheet_line(sheet, STYLE_PLAIN, "%s", "");
+    sheet_line(sheet, STYLE_BOLD, "%s", head);
+}
+
+// Several parts are told apart by a dash.
+static void show_parts(Sheet *sheet, const char *head, const char *const *parts, int count) {
+    char text[AFTERWORD_MAX_TEXT + 4];
+    show_head(sheet, head);
+    for (int i = 0; i < count; i++) {
+        snprintf(text, sizeof text, "%s%s", count > 1 ? "- " : "", parts[i]);
+        sheet_text(sheet, STYLE_PLAIN, 2, text);
+    }
+}
+
+void after_lab_show(Sheet *sheet, const LabBoard *board, int lab) {
+    const Afterword *afterword = &board->afterwords[lab];
+    if (afterword->idea) {
+        show_parts(sheet, "The idea", &afterword->idea, 1);
+        show_parts(sheet, "The handout's question, answered", afterword->answers, afterword->answer_count);
+        show_parts(sheet, "To try in the window (r)", afterword->tries, afterword->try_count);
+        show_parts(sheet, "Another way", &afterword->other_way, 1);
+    }
+    if (!handed_out_alone())
+        sheet_line(sheet, STYLE_PLAIN, "  Our solution, to compare: solutions/%s",
+                   strrchr(board->rubrics[lab].folder, '/') + 1);
+    show_head(sheet, "Your pictures");
+    sheet_line(sheet, STYLE_PLAIN, "  `make showcase` draws all your labs and puts them on one page.");
+}
+
+bool after_lab_print(const LabBoard *board, bool color) {
+    static Sheet sheet;
+    const char *id = board->rubrics[board->current].id;
+    const bool done = lab_board_is_done(board, board->current);
+    sheet_begin(&sheet, PRINTED_WIDTH);
+    if (done)
+        after_lab_show(&sheet, board, board->current);
+    else
+        sheet_line(&sheet, STYLE_PLAIN, "Lab %s is not done yet; `make watch LAB=%s` goes on.", id, id);
+    sheet_print(&sheet, stdout, color);
+    return done;
+}
