@@ -15,7 +15,8 @@ enum {
     EXAM_MAX_PARTS = 48,   // functions of a lab's files, see compile/parts.h
     EXAM_MAX_RESETS = 512, // versions of our lab with one or two of them as they were handed out
     RUBRIC_MAX_EDITS = 6,  // of a mistake or an alternative
-    RUBRIC_MAX_HINTS = 9,  // of a task
+    CHANGE_MAX_EDITS = 2 * RUBRIC_MAX_EDITS, // of one that is put together from two
+    RUBRIC_MAX_HINTS = 9,                    // of a task
     RUBRIC_MAX_POINTS = 1000,
     RUBRIC_MAX_CHOICES = 6, // of a knob or of a check's scenes
     RUBRIC_MAX_ALSO = 4,    // alternatives whose other pictures are right, too

@@ -41,7 +41,7 @@ typedef struct Check {
 // The solution changed in a few places: a mistake (with its task and a hint) or another correct way.
 typedef struct Change {
     const char *name, *task, *hint; // an alternative has no task and no hint
-    Edit edits[RUBRIC_MAX_EDITS];
+    Edit edits[CHANGE_MAX_EDITS];
     int edit_count;
 } Change;
 

@@ -21,7 +21,7 @@ enum { MOST_SCENES = 16, MOST_FRAMES = 1000, MOST_SIDE = PROTOCOL_MAX_SIZE };
 typedef struct ChartCommand {
     const char *scenes[MOST_SCENES], *submission, *output;
     char lab[3]; // "": all
-    int scene_count, frames;
+    int scene_count, frames, without;
     MetricsSize size;
     bool quick, compare;
     char **compared; // two files
@@ -59,6 +59,13 @@ static bool take_size(void *target, const char *text) {
     return option_size(&size->width, &size->height, text, MOST_SIDE);
 }
 
+static bool take_without(void *target, const char *text) {
+    int *without = target;
+    bool ok = option_whole(without, text, 0, SCENE_MAX_OBJECTS - 1);
+    (*without)++;
+    return ok;
+}
+
 #define AT(field) offsetof(ChartCommand, field)
 static const Option options[] = {
     {"scene", 0, "NAME", "this scene only; may be repeated", 0, take_scene},
@@ -75,6 +82,8 @@ static const Option options[] = {
     {"size", 0, "WxH", "640x480 (320x240 with --quick)", AT(size), take_size},
     {"output", 0, "DIR", "default build/study; what is measured there is not measured again", AT(output),
      option_text},
+    {"without", 0, "N", "object N is left out of all scenes: does a verdict change?", AT(without),
+     take_without},
     {"compare", 0, NULL, "compare two tables that build/chart has written", AT(compare), option_flag},
     {0}};
 #undef AT
@@ -246,6 +255,7 @@ int main(int count, char **arguments) {
                                    : (MetricsSize){STUDY_WIDTH, STUDY_HEIGHT};
     plan.frames = command.frames ? command.frames : command.quick ? 6 : 30;
     plan.artists.context = command.context;
+    plan.artists.without = command.without;
     plan.artists.submission_lab = command.lab[0] ? command.lab : NULL;
     plan.artists.submission = command.submission;
     bool ok = choose_jail(&command, &plan, &jail) && study(&command, &plan);

@@ -1,19 +1,24 @@
 // scene_table: what each lab's scenes are made of, and how much the graded views need it; prints a table
-// (Markdown, for grader/proof/SCENES.md).
+// (Markdown, for grader/proof/SCENES.md). With --power: what each object is worth to the verdicts.
 #include "scene/check.h"
 #include "compile/rubric_file.h"
 #include "proof/scene_needs.h"
+#include "proof/scene_power.h"
 #include "base/command_line.h"
+#include "base/option_values.h"
 #include "base/places.h"
 
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 enum { SEEDS = 4 };
 
 typedef struct SceneTable {
     WorkerClient worker; // draws all labs
-    bool broken;
+    char lab[3];         // "": all
+    bool power, broken;
 } SceneTable;
 
 static void print_row(const char *id, const SceneNeeds *economy) {
@@ -22,34 +27,96 @@ static void print_row(const char *id, const SceneNeeds *economy) {
     printf("%s %.1f |\n", text, 100 * scene_needs_least(economy));
 }
 
+static void print_thing(const char *id, const char *scene, int thing, const char *why) {
+    const bool light = thing >= SCENE_MAX_OBJECTS;
+    const char *excuse = scene_needs_excuse(scene, thing);
+    printf("| %s | %s | %s %d | %s |\n", id, scene, light ? "light" : "object",
+           light ? thing - SCENE_MAX_OBJECTS : thing,
+           why[0]   ? why
+           : excuse ? excuse
+                    : "**nothing**");
+    fflush(stdout);
+}
+
+// Over all seeds at most, until one needs it.
+static bool look_for_power(const char *id, const Rubric *rubric, Painters *painters, const char *scene,
+                           Exam *exams[SEEDS]) {
+    bool ok = true;
+    for (int thing = 0; ok && thing < ECONOMY_THINGS; thing++) {
+        char why[POWER_TEXT] = "";
+        bool is_there = false;
+        for (int seed = 0; ok && seed < SEEDS && !why[0]; seed++) {
+            if (!exams[seed]) {
+                exams[seed] = calloc(1, sizeof *exams[seed]);
+                ok = exams[seed] && exam_create(exams[seed], rubric, painters, (uint64_t)seed + 1);
+            }
+            is_there = is_there || (ok && scene_power_has(exams[seed], scene, thing));
+            ok = ok && (!is_there || scene_power_find(exams[seed], scene, thing, why));
+            if (!is_there)
+                break;
+        }
+        if (ok && is_there)
+            print_thing(id, scene, thing, why);
+    }
+    return ok;
+}
+
+static bool print_power(const char *id, const Rubric *rubric, WorkerClient *worker) {
+    Painters painters = {.rubric = rubric, .client = *worker};
+    Exam *exams[SEEDS] = {0};
+    bool ok = true;
+    for (int i = 0; ok && scene_name(i); i++)
+        ok = look_for_power(id, rubric, &painters, scene_name(i), exams);
+    for (int seed = 0; seed < SEEDS; seed++) {
+        if (exams[seed])
+            exam_destroy(exams[seed]);
+        free(exams[seed]);
+    }
+    *worker = painters.client;
+    painters.client = (WorkerClient){0}; // goes on
+    painters_destroy(&painters);
+    return ok;
+}
+
 static void print_lab(const char *id, void *context) {
     SceneTable *table = context;
     static SceneNeeds economies[ECONOMY_MAX_SCENES];
     char folder[FILES_PATH];
     Rubric rubric = {0};
-    int count = table->broken || !places_find_lab(folder, id) || !rubric_load(&rubric, folder)
-                    ? -1
-                    : scene_needs_measure(economies, &rubric, &table->worker, SEEDS, 2);
+    if (table->lab[0] && strcmp(table->lab, id) != 0)
+        return;
+    int count = table->broken || !places_find_lab(folder, id) || !rubric_load(&rubric, folder) ? -1
+                : table->power ? (print_power(id, &rubric, &table->worker) ? 0 : -1)
+                               : scene_needs_measure(economies, &rubric, &table->worker, SEEDS, 2);
     table->broken = count < 0;
     for (int i = 0; i < count; i++)
         print_row(id, &economies[i]);
     rubric_destroy(&rubric);
 }
 
+static const Option options[] = {
+    {"lab", 0, "NN", "only this lab", offsetof(SceneTable, lab), option_lab},
+    {"power", 0, NULL,
+     "what each object of each scene is worth: the check that would let a mistake pass without it",
+     offsetof(SceneTable, power), option_flag},
+    {0}};
+
 static const CommandLine command_line = {
     .program = "scene_table",
-    .forms = "",
+    .forms = "[options]",
     .about =
         "Prints what each lab's scenes are made of, and how much the graded views need it, as a table.\n",
-    .options = (const Option[]){{0}},
+    .options = options,
 };
 
 int main(int count, char **arguments) {
     SceneTable table = {0};
-    command_line_take(&command_line, NULL, count, arguments);
+    command_line_take(&command_line, &table, count, arguments);
     signal(SIGPIPE, SIG_IGN);
-    printf("| lab | scene | planes | boxes | spheres | arches | triangles | least need, %% |\n");
-    printf("|---|---|---|---|---|---|---|---|\n");
+    printf("%s", table.power
+                     ? "| lab | scene | what | without it |\n|---|---|---|---|\n"
+                     : "| lab | scene | planes | boxes | spheres | arches | triangles | least need, %% |\n"
+                       "|---|---|---|---|---|---|---|---|\n");
     table.broken = !places_list_labs(print_lab, &table) || table.broken;
     worker_client_stop(&table.worker);
     if (table.broken)

@@ -50,11 +50,19 @@ static bool take_mistake(void *target, const char *text) {
     return option_lab(command->fault_lab, lab);
 }
 
+static bool take_without(void *target, const char *text) {
+    StabilityCommand *command = target;
+    bool ok = option_whole(&command->labs.without, text, 0, SCENE_MAX_OBJECTS - 1);
+    command->labs.without++;
+    return ok;
+}
+
 static const Option options[] = {
     {"row", 0, "N", "only this row; may be repeated", 0, take_row},
     {"output", 0, "DIR", "writes stability.json, .html and the figures (default build/study)",
      offsetof(StabilityCommand, output), option_text},
     {"mistake", 0, "NN:NAME", "lab NN is drawn with a mistake of its mistakes.json", 0, take_mistake},
+    {"without", 0, "N", "object N is left out of all scenes: the rows that need it fail", 0, take_without},
     {0}};
 
 static bool check(void *settings, const Operands *operands) {

@@ -57,8 +57,7 @@ void scene_needs_describe(char text[ECONOMY_TEXT], const char *lab, const SceneN
              scene_needs_triangles(&economy->first));
 }
 
-// May this object, or behind SCENE_MAX_OBJECTS this light, be taken away?
-static bool is_there(const Scene *scene, int thing) {
+bool scene_needs_has(const Scene *scene, int thing) {
     if (thing < SCENE_MAX_OBJECTS)
         return thing < scene->object_count;
     return scene->light_count > 1 && thing - SCENE_MAX_OBJECTS < scene->light_count;
@@ -67,12 +66,12 @@ static bool is_there(const Scene *scene, int thing) {
 double scene_needs_least(const SceneNeeds *economy) {
     double least = 1;
     for (int thing = 0; thing < ECONOMY_THINGS; thing++)
-        if (is_there(&economy->first, thing) && !scene_needs_excuse(economy->scene, thing))
+        if (scene_needs_has(&economy->first, thing) && !scene_needs_excuse(economy->scene, thing))
             least = fmin(least, economy->need[thing]);
     return least;
 }
 
-static void take_away(Scene *scene, int thing) {
+void scene_needs_take_away(Scene *scene, int thing) {
     int light = thing - SCENE_MAX_OBJECTS;
     if (light < 0) {
         scene->object_count--;
@@ -107,7 +106,7 @@ static bool find_need(const Variant *whole, Painters *roster, const char *task, 
                       double *need) {
     static Variant lacking;
     lacking = (Variant){.request = whole->request};
-    take_away(&lacking.request.scene, thing);
+    scene_needs_take_away(&lacking.request.scene, thing);
     bool ok = draw(roster, (Solved){SOLVED_ALL, NULL}, &lacking.request, &lacking.reference) &&
               draw(roster, (Solved){SOLVED_ALL_BUT, task}, &lacking.request, &lacking.without);
     *need = ok ? changed_share(whole, &lacking) : 0;
@@ -127,11 +126,11 @@ static bool look_at_check(SceneNeeds *economy, const Exam *exam, Painters *roste
     for (int thing = 0; ok && thing < ECONOMY_THINGS; thing++) {
         double sum = 0, need = 0;
         int count = 0;
-        if (!is_there(&economy->first, thing) || economy->need[thing] >= enough)
+        if (!scene_needs_has(&economy->first, thing) || economy->need[thing] >= enough)
             continue;
         for (int n = 0; ok && n < check->variants; n++)
             if (strcmp(exam->variants[c][n].scene, economy->scene) == 0 &&
-                is_there(&exam->variants[c][n].request.scene, thing)) {
+                scene_needs_has(&exam->variants[c][n].request.scene, thing)) {
                 ok = find_need(&exam->variants[c][n], roster, check->task, thing, enough, &need);
                 sum += need;
                 count++;

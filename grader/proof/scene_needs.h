@@ -36,6 +36,12 @@ bool scene_needs_look(SceneNeeds *economy, const Exam *exam, Painters *roster, d
 // The least of the needs of all objects and lights but those that scene_needs_excuse names.
 double scene_needs_least(const SceneNeeds *economy);
 
+// Does the scene have this object, or behind SCENE_MAX_OBJECTS this light, and may it be taken away?
+bool scene_needs_has(const Scene *scene, int thing);
+
+// Takes it away; those behind it move up.
+void scene_needs_take_away(Scene *scene, int thing);
+
 // Why this object is in the scene though no check sees it; NULL when there is no excuse.
 const char *scene_needs_excuse(const char *scene, int object);
 

@@ -36,21 +36,28 @@ Figure *findings_figure(Findings *findings, const char *title, const char *x_lab
 void findings_frame(Findings *findings, int slot, double badness, const TruthView *truth_view,
                     const Measured *measured, const char *caption, ...) {
     RowFrame *frame = &findings->frames[slot];
-    if (frame->strip.rgba && badness <= frame->badness)
-        return;
-    image_destroy(&frame->strip);
-    if (!strip_create(&frame->strip, truth_view, measured))
-        return; // a picture less: the verdict does not depend on it
+    char words[ROW_TEXT];
+    Image strip = {0};
     va_list arguments;
+    if (!strip_create(&strip, truth_view, measured))
+        return; // a picture less: the verdict does not depend on it
     va_start(arguments, caption);
-    vsnprintf(frame->caption, sizeof frame->caption, caption, arguments);
+    vsnprintf(words, sizeof words, caption, arguments);
     va_end(arguments);
-    frame->badness = badness;
+    reel_add(&findings->reel, &strip, words);
+    if (frame->strip.rgba && badness <= frame->badness) {
+        image_destroy(&strip);
+        return;
+    }
+    image_destroy(&frame->strip);
+    *frame = (RowFrame){.badness = badness, .strip = strip};
+    memcpy(frame->caption, words, sizeof words);
 }
 
 void findings_destroy(Findings *findings) {
     for (int i = 0; i < ROW_FRAMES; i++)
         image_destroy(&findings->frames[i].strip);
+    reel_destroy(&findings->reel);
     *findings = (Findings){0};
 }
 

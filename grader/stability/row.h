@@ -6,6 +6,7 @@
 
 #include "stability/lab_set.h"
 #include "stability/curve.h"
+#include "stability/reel.h"
 #include "study/truth_view.h"
 
 #include <stdbool.h>
@@ -21,7 +22,8 @@ typedef struct RowFrame {
 typedef struct Findings {
     Figure figures[ROW_FIGURES];
     int figure_count;
-    RowFrame frames[ROW_FRAMES];
+    RowFrame frames[ROW_FRAMES]; // the worst
+    Reel reel;                   // all
 } Findings;
 
 // Texts for people; `expected` says what comes out and why.
@@ -44,8 +46,8 @@ int row_list(const Row *rows[ROW_MOST]);
 // A new figure without curves. Abort when there is no room.
 Figure *findings_figure(Findings *findings, const char *title, const char *x_label, const char *y_label);
 
-// Keeps the frame in `slot` (0..ROW_FRAMES - 1) when it is worse than the one kept there: where sweeps go on,
-// the worst stays.
+// Adds the frame to the reel, and keeps it in `slot` (0..ROW_FRAMES - 1) when it is worse than the one kept
+// there: where sweeps go on, the worst stays.
 void findings_frame(Findings *findings, int slot, double badness, const TruthView *truth_view,
                     const Measured *measured, const char *caption, ...) __attribute__((format(printf, 6, 7)));
 

@@ -72,7 +72,8 @@ SightShare sight_share(const Probe *probe, const uint8_t *flags) {
             outline += probe->truth_view.distance[i] <= 0.5f ||
                        (flags && at_outline(probe, flags, i % width, i / width));
         }
-    return (SightShare){set / count, outline / 2 / count};
+    const double pairs = outline / 2, near = 2.0 / 16;
+    return (SightShare){set / count, pairs * near / count};
 }
 
 bool sight_share_at(const Probe *probe, double depth, SightShare *share) {

@@ -22,9 +22,10 @@ bool sight_holds_at(const Scene *casters, vec3s ray, double depth);
 // How often the way between two points enters a caster's set, looked at in `steps` places.
 int sight_enters(const Scene *casters, vec3s from, vec3s to, int steps);
 
-// A share of the pixels that count in the probe's latest frame. Rounding may move an outline, of the true
-// shadow or of the share, past one of the two pixels that it separates: `tolerance` is half the share of
-// pixels that have a neighbour on the other side.
+// A share of the pixels that count in the probe's latest frame. OpenGL keeps the corners of a triangle to
+// 1/16 of a pixel at least (GL_SUBPIXEL_BITS is 4 or more). So an outline, of the true shadow or of the
+// share, may pass the middle of one of the two pixels that it separates where it lies as near to it as that:
+// `tolerance` is 2/16 for each pair of such pixels.
 typedef struct SightShare {
     double share, tolerance;
 } SightShare;

@@ -4,7 +4,10 @@
 #include "base/files.h"
 #include "stability/plot.h"
 #include "pages/page.h"
+#include "pages/template.h"
+#include "scene/check.h"
 
+#include <jansson.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -135,6 +138,31 @@ static void write_frame(Page *page, const RowFrame *frame) {
     fputs("</figure>\n", page->out);
 }
 
+// All frames of the sweep, which a slider goes through; hidden where no script runs.
+static void write_reel(Page *page, const Reel *reel) {
+    if (reel->count < 2)
+        return;
+    json_t *frames = json_array();
+    fprintf(page->out,
+            "<figure class=\"reel\" hidden><label>the sweep, frame by frame: <input type=\"range\" min=\"0\" "
+            "max=\"%d\" value=\"0\"></label><img class=\"strip\" alt=\"\"><figcaption></figcaption>"
+            "<script type=\"application/json\">",
+            reel->count - 1);
+    for (int i = 0; i < reel->count; i++) {
+        char *bytes = NULL;
+        size_t size = 0;
+        FILE *out = open_memstream(&bytes, &size);
+        INVARIANT(out);
+        page_base64(out, reel->frames[i].png, reel->frames[i].size);
+        fclose(out);
+        json_array_append_new(frames, json_pack("[s, s]", reel->frames[i].caption, bytes));
+        free(bytes);
+    }
+    json_dumpf(frames, page->out, JSON_COMPACT | JSON_ENSURE_ASCII | JSON_ESCAPE_SLASH);
+    fputs("</script></figure>\n", page->out);
+    json_decref(frames);
+}
+
 static void write_words(Page *page, const char *title, const char *text) {
     fprintf(page->out, "<p><strong>%s:</strong> ", title);
     page_text(page, text);
@@ -154,6 +182,7 @@ static bool write_row(Page *page, const RowResult *result, const char *folder) {
     if (result->message[0])
         write_words(page, "It could not go on", result->message);
     bool ok = result->findings.figure_count == 0 || write_figures(page, result, folder);
+    write_reel(page, &result->findings.reel);
     for (int i = 0; i < ROW_FRAMES; i++)
         write_frame(page, &result->findings.frames[i]);
     fputs("</section>\n", page->out);
@@ -167,24 +196,28 @@ char *suite_html(const RowResult *results, int count, const char *folder) {
         return NULL;
     for (int i = 0; i < count; i++)
         of_status[results[i].status]++;
-    fprintf(page.out,
-            "<p>Each row sweeps one method over what breaks it. The labs' solutions draw; dashed is what "
-            "must come out, the "
-            "band around it is the tolerance. A known failure must show and its remedy must hold, or the row "
-            "fails.</p>\n"
-            "<p>%d rows pass, %d fail, %d are about methods that no lab has yet.</p>\n<p>Frames show the "
-            "method, the "
-            "ray-traced truth and the error: yellow is false light, blue false shadow, black does not "
-            "count.</p>\n"
-            "<style>figure img { image-rendering: auto; } "
-            "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
-            "image-rendering: pixelated; } .state { white-space: nowrap; "
-            "}</style>\n",
-            of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);
+    fprintf(
+        page.out,
+        "<p>Each row sweeps one method over what breaks it. The labs' solutions draw; dashed is what "
+        "must come out, the "
+        "band around it is the tolerance. A known failure must show and its remedy must hold, or the row "
+        "fails.</p>\n"
+        "<p>%d rows pass, %d fail, %d are about methods that no lab has yet.</p>\n<p>Frames show the "
+        "method, the "
+        "ray-traced truth and the error: yellow is false light, blue false shadow, black does not "
+        "count.</p>\n"
+        "<style>figure img { image-rendering: auto; } "
+        "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
+        "image-rendering: pixelated; } .reel label { display: flex; gap: 0.5rem; } .reel input { flex: 1; "
+        "max-width: 40rem; } .state { white-space: nowrap; }</style>\n",
+        of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);
     write_summary(&page, results, count);
     bool ok = true;
     for (int i = 0; ok && i < count; i++)
         ok = write_row(&page, &results[i], folder);
+    fputs("<script>\n", page.out);
+    ok = ok && template_copy(page.out, "grader/stability/reel.js");
+    fputs("</script>\n", page.out);
     char *text = page_end(&page);
     if (ok)
         return text;

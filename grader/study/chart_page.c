@@ -92,10 +92,11 @@ static json_t *drawing_json(const SceneFindings *findings, int i) {
     int before = label_before(findings, i);
     label_write(f->method.name, label);
     finding_range(f, &low, &high);
-    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:s, s:s, s:i, s:f, s:b}", "rmse", f->errors.rmse, "flip",
-                     f->errors.flip, "center", f->errors.center, "low", low, "high", high, "label", label,
-                     "from", before < 0 ? "" : findings->findings[before].method.name, "enoughViews",
-                     f->enough_views, "worstOff", f->worst_off, "traced", f->method.rays > 0);
+    return json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:s, s:s, s:i, s:f, s:b}", "rmse", f->errors.rmse,
+                     "flip", f->errors.flip, "center", f->errors.center, "turning", f->errors.turning,
+                     "moving", f->errors.moving, "low", low, "high", high, "label", label, "from",
+                     before < 0 ? "" : findings->findings[before].method.name, "enoughViews", f->enough_views,
+                     "worstOff", f->worst_off, "traced", f->method.rays > 0);
 }
 
 static void join(json_t *object, json_t *more) {
@@ -123,9 +124,10 @@ static json_t *point_json(const SceneFindings *findings, int i, json_t *frame) {
                               chart_color(findings, &f->method), "submission", f->method.submission, "front",
                               p->on_front, "enough", f->enough, "chosen", f->chosen, "ms", p->ms, "mad",
                               p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
-    json_t *rest = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:o, s:o}", "prepare", f->prepare_ms,
-                             "prepareMad", f->prepare_mad, "error", p->error, "taps", f->cost.taps, "texels",
-                             f->cost.texels, "fragments", f->cost.fragments, "rays", f->cost.rays, "frames",
+    json_t *rest = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:o, s:o}", "prepare",
+                             f->prepare_ms, "prepareMad", f->prepare_mad, "error", p->error, "taps",
+                             f->cost.taps, "texels", f->cost.texels, "fragments", f->cost.fragments, "rays",
+                             f->cost.rays, "bytes", f->cost.bytes, "counted", f->cost.counted, "frames",
                              f->frames, "errors", errors_json(&f->errors), "frame", frame);
     join(point, rest);
     join(point, drawing_json(findings, i));
@@ -154,12 +156,12 @@ bool chart_page_add(FILE *file, const StudyPlan *plan, const SceneFindings *find
     json_t *truth = picture(path);
     findings_tell(findings, need, sizeof need);
     bool ok = truth && add_points(points, plan, findings);
-    json_t *all = json_pack("{s:s, s:s, s:s, s:s, s:f, s:b, s:s, s:s, s:i, s:i, s:o*, s:o, s:o, s:i}", "name",
-                            scene->name, "title", scene->title, "shows", scene->shows, "need", need,
-                            "tolerance", scene->tolerance, "edges", scene->edges, "renderer",
-                            findings->renderer, "clock", findings->on_gpu ? "GPU" : "CPU", "width",
-                            plan->size.width, "height", plan->size.height, "truth", truth, "points", points,
-                            "lines", lines_json(&findings->lines), "views", STUDY_VIEWS);
+    json_t *all = json_pack("{s:s, s:s, s:s, s:s, s:f, s:b, s:b, s:s, s:s, s:i, s:i, s:o*, s:o, s:o, s:i}",
+                            "name", scene->name, "title", scene->title, "shows", scene->shows, "need", need,
+                            "tolerance", scene->tolerance, "edges", scene->edges, "moves", scene->moves,
+                            "renderer", findings->renderer, "clock", findings->on_gpu ? "GPU" : "CPU",
+                            "width", plan->size.width, "height", plan->size.height, "truth", truth, "points",
+                            points, "lines", lines_json(&findings->lines), "views", STUDY_VIEWS);
     fputs(is_first ? "" : ",\n", file);
     ok = ok && json_dumpf(all, file, JSON_COMPACT | JSON_REAL_PRECISION(9)) == 0;
     json_decref(all);

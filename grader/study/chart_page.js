@@ -170,8 +170,12 @@ function numbers(scene, p) {
     rows.push(['false shadow at the edge', percent(e.edgeShadow)], ['false light at the edge', percent(e.edgeLight)],
               ['the edge is off by', `${digits(e.off)} pixels, at most ${digits(p.worstOff)}`]);
   rows.push(['enough in', `${p.enoughViews} of ${scene.views} views`]);
+  if (scene.moves && !p.traced)
+    rows.push(['changes beyond the truth\'s, a frame: the light turns', percent(p.turning)],
+              ['the same: the camera moves', percent(p.moving)]);
   const costs =
-      [['taps a pixel', p.taps], ['texels', p.texels], ['fragments of volumes', p.fragments], ['rays', p.rays]];
+      [['taps a pixel', p.taps], ['texels', p.texels], ['fragments of volumes', p.fragments], ['rays', p.rays],
+       ['bytes of maps and textures', p.bytes], ['all of them, counted in lookups (a model)', p.counted]];
   rows.push(...costs.filter(([, cost]) => cost > 0).map(([name, cost]) => [name, digits(cost)]));
   return make(
       'table', {},
@@ -208,12 +212,13 @@ function show(panel, scene, p) {
 function tableOf(scene, points) {
   const heads = [
     'method and setting', 'lab', 'ms', 'MAD', 'picture, ms', 'error', 'RMSE', 'FLIP', 'edge off, px', 'taps', 'texels', 'fragments',
-    'rays', 'front', 'enough'
+    'rays', 'bytes', 'counted', ...(scene.moves ? ['light turns', 'camera moves'] : []), 'front', 'enough'
   ];
   const row =
       p => [`${p.submission ? 'submission: ' : ''}${p.method}, ${p.setting}`, p.lab, digits(p.ms), digits(p.mad),
             digits(p.shade), percent(p.error), percent(p.rmse), percent(p.flip), scene.edges ? digits(p.errors.off) : '', digits(p.taps),
-            digits(p.texels), digits(p.fragments), digits(p.rays), p.front ? 'yes' : '', p.enough ? 'yes' : `${p.enoughViews} of ${scene.views}`];
+            digits(p.texels), digits(p.fragments), digits(p.rays), digits(p.bytes), digits(p.counted),
+            ...(scene.moves ? [p.turning, p.moving].map(x => p.traced ? '' : percent(x)) : []), p.front ? 'yes' : '', p.enough ? 'yes' : `${p.enoughViews} of ${scene.views}`];
   return make(
       'details', {}, make('summary', {}, `All ${points.length} settings as a table`),
       make('div', {class: 'wide', tabindex: 0, role: 'region', 'aria-label': `Settings of ${scene.title}`},

@@ -10,7 +10,7 @@ void csv_head(FILE *file) {
           "false_light,edge_false_shadow,edge_false_light,interior_false_shadow,interior_false_light,edge_"
           "off_pixels,"
           "rmse,flip,center_error,error_low,error_high,worst_off_pixels,worst_interior,enough_views,"
-          "taps,texels,fragments,rays,bytes,counted,on_front,enough,chosen\n",
+          "taps,texels,fragments,rays,bytes,counted,on_front,enough,chosen,light_turns,camera_moves\n",
           file);
 }
 
@@ -27,6 +27,15 @@ static void write_names(FILE *file, const SceneFindings *findings, const Finding
             f->method.submission ? "submission" : "ours", f->method.family, f->method.name);
 }
 
+// Two last columns; empty where nothing moves or rays are traced.
+static void write_motion(FILE *file, const SceneFindings *findings, const Finding *f,
+                         const MeasuredErrors *e) {
+    if (findings->scene->moves && !f->method.rays)
+        fprintf(file, "%.8f,%.8f\n", e->turning, e->moving);
+    else
+        fputs(",\n", file);
+}
+
 void csv_write(FILE *file, const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++) {
         const Finding *f = &findings->findings[i];
@@ -40,14 +49,17 @@ void csv_write(FILE *file, const SceneFindings *findings) {
         write_errors(file, &f->errors);
         finding_range(f, &low, &high);
         fprintf(file, "%.8f,%.8f,%.5f,%.8f,%d,", low, high, f->worst_off, f->worst_inside, f->enough_views);
-        fprintf(file, "%.2f,%.0f,%.0f,%.0f,%.0f,%.0f,%d,%d,%d\n", f->cost.taps, f->cost.texels,
+        fprintf(file, "%.2f,%.0f,%.0f,%.0f,%.0f,%.0f,%d,%d,%d,", f->cost.taps, f->cost.texels,
                 f->cost.fragments, f->cost.rays, f->cost.bytes, f->cost.counted, point->on_front, f->enough,
                 f->chosen);
+        write_motion(file, findings, f, &f->errors);
     }
 }
 
 void csv_views_head(FILE *file) {
-    fputs("scene,lab,whose,method,setting,view,error,interior_error,edge_off_pixels,rmse,flip,center_error\n",
+    fputs("scene,lab,whose,method,setting,view,error,interior_error,edge_off_pixels,rmse,flip,center_error,"
+          "light_turns,"
+          "camera_moves\n",
           file);
 }
 
@@ -57,8 +69,9 @@ void csv_views_write(FILE *file, const SceneFindings *findings) {
         for (int v = 0; v < STUDY_VIEWS && f->drawn; v++) {
             const MeasuredErrors *e = &f->views[v];
             write_names(file, findings, f);
-            fprintf(file, "%d,%.8f,%.8f,%.5f,%.8f,%.8f,%.8f\n", v, finding_error(e),
-                    finding_interior_error(e), e->off, e->rmse, e->flip, e->center);
+            fprintf(file, "%d,%.8f,%.8f,%.5f,%.8f,%.8f,%.8f,", v, finding_error(e), finding_interior_error(e),
+                    e->off, e->rmse, e->flip, e->center);
+            write_motion(file, findings, f, e);
         }
     }
 }

@@ -12,6 +12,7 @@ typedef struct LabArtist {
     WorkerClient client;    // a submission's worker
     Description table;      // ours: of the lab, once lab_artist_pass_kinds asked for it
     char renderer[128];     // as the last frame's Reply has it
+    int without;            // 1 + the number of an object that is left out of all scenes; 0: none
 } LabArtist;
 
 // The solution of lab `id` ("05"), for frames that are few and small. False with a message.
@@ -35,8 +36,12 @@ bool lab_artist_adapt(LabArtist *artist, const Change *change);
 // artist. False with a message when an edit does not apply or the result does not compile.
 bool lab_artist_change(LabArtist *artist, const Change *change);
 
+// Leaves the artist's object out of a scene that has it: it shrinks to a point where it stands, so that the
+// numbers of the others stay.
+void lab_artist_leave_out(const LabArtist *artist, Scene *scene);
+
 // Draws; true when the picture is there. False with a message when the lab or its process failed.
-bool lab_artist_draw(LabArtist *artist, const Request *request, Image *image, Reply *reply);
+bool lab_artist_draw(LabArtist *artist, const Request *asked, Image *image, Reply *reply);
 
 // What each pass of the solution is for (PassKind), LAB_MAX_PASSES of them. Ours only. NULL with a message
 // when the worker does not say.

@@ -19,8 +19,10 @@ static bool open_artist(LabArtist *artist, const LabArtists *artists, const Meth
 static LabArtist *hire(const LabArtists *artists, const Method *method) {
     LabArtist *artist = calloc(1, sizeof *artist);
     INVARIANT(artist);
-    if (open_artist(artist, artists, method))
+    if (open_artist(artist, artists, method)) {
+        artist->without = artists->without;
         return artist;
+    }
     lab_artist_close(artist);
     free(artist);
     return NULL;

@@ -9,6 +9,7 @@ typedef struct LabArtists {
     const char *submission_lab, *submission; // NULL: there is none
     const Jail *jail;                        // for the submission; NULL: none
     ContextKind context;
+    int without; // as LabArtist has it
     struct {
         LabArtist *artist;
         const char *lab;

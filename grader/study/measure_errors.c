@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-enum { VERSION = 4 }; // of what is measured
+enum { VERSION = 5 }; // of what is measured
 
 // What is measured, as a number: the same only for the same frame of the same scene by the same code.
 static uint64_t make_key(const StudyPlan *plan, uint64_t hash, const TruthView *truth_view,
@@ -22,6 +22,7 @@ static uint64_t make_key(const StudyPlan *plan, uint64_t hash, const TruthView *
                                query->samples,
                                (int32_t)query->seed,
                                scene->edges,
+                               scene->moves,
                                method->submission,
                                method->rays};
     hash = hash_bytes(hash, numbers, sizeof numbers);
@@ -56,6 +57,17 @@ static bool draw_rays(StudyPlan *plan, const StudyView *view, const StudyScene *
     return measurements_add_time(&plan->state, &time);
 }
 
+// Rays of other random numbers in each frame would flicker by their number alone: they are not asked.
+static bool measure_motion(const StudyView *view, const StudyScene *scene, LabArtist *artist,
+                           const Method *method, MeasuredErrors *errors) {
+    double beyond[MOTION_KINDS] = {0};
+    bool ok =
+        !scene->moves || method->rays || motion_measure(&view->motion, artist, &method->setting, beyond);
+    errors->turning = beyond[MOTION_LIGHT];
+    errors->moving = beyond[MOTION_CAMERA];
+    return ok;
+}
+
 // Measures one view; its picture is kept under `path`, NULL: not.
 static bool measure(StudyPlan *plan, LabArtist *artist, const StudyView *view, const StudyScene *scene,
                     Method *method, uint64_t key, const char *path, MeasuredErrors *errors) {
@@ -64,6 +76,7 @@ static bool measure(StudyPlan *plan, LabArtist *artist, const StudyView *view, c
     bool ok = method->rays ? draw_rays(plan, view, scene, method, key, &frame)
                            : truth_view_measure(&view->truth_view, artist, &method->setting, true, &frame);
     ok = ok && view_compare(view, scene, &method->setting, &frame, errors) &&
+         measure_motion(view, scene, artist, method, errors) &&
          (!path || pictures_write(path, view->truth_view.size, frame.visibility, NULL)) &&
          measurements_add_errors(&plan->state, key, errors);
     measured_destroy(&frame);

@@ -13,6 +13,8 @@ typedef struct MeasuredErrors {
     double rmse;    // root of the mean of squares
     double flip;    // mean of FLIP (truth/flip.h) of a white scene that the light falls on
     double center;  // mean difference to the truth at the pixels' centres
+    double turning; // mean of what changes beyond the truth's changes, a frame: the light turns (motion.h)
+    double moving;  // the same: the camera moves
 } MeasuredErrors;
 
 enum { MEASURED_FIGURES = sizeof(MeasuredErrors) / sizeof(double) }; // all of them are double

@@ -27,6 +27,7 @@ typedef struct StudyScene {
     TruthQuery query;
     bool edges;       // the true shadow has edges; else all of it is interior
     double tolerance; // interior error that counts as none: the mean over the picture, 0..1
+    bool moves;       // what changes from frame to frame is measured, too (motion.h)
 } StudyScene;
 
 // What a lab brings to the study: a solutions/NN-name/study.c defines one as LAB_TABLE.

@@ -55,9 +55,14 @@ static bool draw_primitives(TruthView *truth_view, LabArtist *artist) {
 
 bool truth_view_create(TruthView *truth_view, const Scene *scene, MetricsSize size, const TruthQuery *query,
                        LabArtist *artist) {
+    Scene *seen = malloc(sizeof *seen);
+    INVARIANT(seen);
     *truth_view = (TruthView){.size = size};
-    if (!allocate(truth_view) || !truth_create(&truth_view->truth, scene) ||
-        !truth_picture_create(&truth_view->picture, size.width, size.height))
+    *seen = *scene;
+    lab_artist_leave_out(artist, seen);
+    bool ok = allocate(truth_view) && truth_create(&truth_view->truth, seen);
+    free(seen);
+    if (!ok || !truth_picture_create(&truth_view->picture, size.width, size.height))
         return false;
     truth_look(&truth_view->truth, &truth_view->picture);
     for (size_t i = 0; i < pixels(truth_view); i++) {
@@ -110,14 +115,15 @@ void setting_knob(Setting *setting, const char *name, float value) {
     knob->value = value;
 }
 
-static bool draw(const TruthView *truth_view, LabArtist *artist, const Request *request, Measured *measured) {
+bool truth_view_draw(LabArtist *artist, const Request *request, float *visibility, float *milliseconds) {
     static Reply reply;
     Image image = {0};
     bool ok = lab_artist_draw(artist, request, &image, &reply);
-    for (size_t i = 0; ok && i < pixels(truth_view); i++)
-        measured->visibility[i] = image.rgba[4 * i + 3] ? (float)image.rgba[4 * i] / 255 : NAN;
+    for (size_t i = 0; ok && i < image_bytes(&image) / 4; i++)
+        visibility[i] = image.rgba[4 * i + 3] ? (float)image.rgba[4 * i] / 255 : NAN;
     image_destroy(&image);
-    memcpy(measured->milliseconds, reply.milliseconds, sizeof measured->milliseconds);
+    if (milliseconds)
+        memcpy(milliseconds, reply.milliseconds, sizeof reply.milliseconds);
     return ok;
 }
 
@@ -138,7 +144,7 @@ bool truth_view_measure(const TruthView *truth_view, LabArtist *artist, const Se
     request.fresh = fresh;
     if (!measured_create(measured, truth_view->size))
         return false;
-    if (!draw(truth_view, artist, &request, measured))
+    if (!truth_view_draw(artist, &request, measured->visibility, measured->milliseconds))
         return false;
     truth_view_compare(truth_view, setting, measured);
     return true;

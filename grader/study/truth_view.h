@@ -58,6 +58,11 @@ typedef struct Measured {
 // `fresh`. False with a message. The caller destroys what it got, also after a failure.
 bool truth_view_measure(const TruthView *truth_view, LabArtist *artist, const Setting *setting, bool fresh,
                         Measured *measured);
+
+// Draws the request, of the view VIEW_VISIBILITY, into an array of its pixels: 0..1, NAN where the lab drew
+// no finite colour. `milliseconds`: of LAB_MAX_PASSES passes; NULL: not. False with a message.
+bool truth_view_draw(LabArtist *artist, const Request *request, float *visibility, float *milliseconds);
+
 // Fills mask and metrics of a frame whose visibility is there. All three arrays belong to the caller.
 void truth_view_compare(const TruthView *truth_view, const Setting *setting, Measured *measured);
 

@@ -129,7 +129,8 @@ bool view_create(StudyView *view, const StudyScene *scene, int number, MetricsSi
         centers.samples = 1; // it is the whole pixels' truth that counts
     bool ok = truth_view_create(&view->truth_view, made, size, &centers, artist) &&
               trace(&view->truth_view, scene, folder) &&
-              flip_create_grey(&view->flip, size, view->truth_view.visibility);
+              flip_create_grey(&view->flip, size, view->truth_view.visibility) &&
+              (!scene->moves || motion_create(&view->motion, scene, made, size, artist));
     free(made);
     return ok;
 }
@@ -137,6 +138,7 @@ bool view_create(StudyView *view, const StudyScene *scene, int number, MetricsSi
 void view_destroy(StudyView *view) {
     truth_view_destroy(&view->truth_view);
     flip_destroy(&view->flip);
+    motion_destroy(&view->motion);
     *view = (StudyView){0};
 }
 

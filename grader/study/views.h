@@ -3,6 +3,7 @@
 
 #include "base/files.h"
 #include "study/measurements.h"
+#include "study/motion.h"
 #include "study/study_scene.h"
 #include "truth/flip.h"
 
@@ -14,6 +15,7 @@ enum {
 typedef struct StudyView {
     TruthView truth_view; // its truth is that of whole pixels
     FlipPicture flip;     // of that truth
+    Motion motion;        // where the scene moves
 } StudyView;
 
 // Makes the scene as view `view` (0..STUDY_VIEWS - 1) has it. View 0 is the scene itself; in the others the

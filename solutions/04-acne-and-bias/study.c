@@ -26,7 +26,8 @@ static const StudyScene scenes[] = {
      make_bias,
      {.kind = TRUTH_LIGHT},
      true,
-     STUDY_HARD},
+     STUDY_HARD,
+     .moves = true},
     {0},
 };
 

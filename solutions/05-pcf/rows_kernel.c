@@ -1,5 +1,6 @@
 // What a wide filter kernel needs: lab 05's box of 2 k + 1 taps along x and y, whose linear lookups reach m =
 // k + 1 texels. The wall's slope lies along the map's x axis, so all rows of the picture are alike.
+#include "study_receiver_plane.h"
 #include "stability/probe.h"
 #include "stability/row.h"
 #include "stability/tilted.h"
@@ -18,19 +19,8 @@ static const float half_size = 4;
 
 static const Change plain = {.name = "polygon offset as a knob", .edits = {FACTOR_KNOB}, .edit_count = 2};
 
-// Each tap compares with the depth that the receiver's plane has there. Isidoro: Shadow Mapping: GPU-based
-// Tips and Techniques, GDC 2006.
 static const Change receiver_plane = {
-    .name = "receiver-plane depth bias",
-    .edits = {FACTOR_KNOB,
-              {"shadow.frag", "    vec2 texel = 1.0 / vec2(textureSize(u_shadow_map, 0));",
-               "    vec2 texel = 1.0 / vec2(textureSize(u_shadow_map, 0));\n"
-               "    vec3 right = dFdx(position_map), up = dFdy(position_map);\n"
-               "    vec2 slope = vec2(right.z * up.y - up.z * right.y, up.z * right.x - right.z * up.x) /\n"
-               "                 (right.x * up.y - right.y * up.x);"},
-              {"shadow.frag", "vec2(x, y) * texel, position_map.z))",
-               "vec2(x, y) * texel, position_map.z + dot(slope, vec2(x, y) * texel)))"}},
-    .edit_count = 4};
+    .name = "receiver-plane depth bias", .edits = {FACTOR_KNOB, RECEIVER_PLANE}, .edit_count = 4};
 
 static bool begin(Probe *probe, LabSet *labs, const Scene *scene, int width, const Change *change) {
     bool ok = probe_begin(probe, labs, LAB_ID, scene, width, ROWS);

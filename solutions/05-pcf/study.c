@@ -1,4 +1,5 @@
 // The filters in the study, and the scene that shows texels and filters.
+#include "study_receiver_plane.h"
 #include "scene/count.h"
 #include "study/study_scene.h"
 #include "truth/closed_scenes.h"
@@ -23,7 +24,8 @@ static const StudyScene scenes[] = {
      make_edges,
      {.kind = TRUTH_LIGHT},
      true,
-     STUDY_HARD},
+     STUDY_HARD,
+     .moves = false},
     {0},
 };
 
@@ -47,6 +49,14 @@ static const Filter hard = {"hard", 0, 0, 1, 0}, by_hand = {"3 x 3 by hand", 1, 
     }
 static const Change fixed[] = {FIX(0), FIX(1), FIX(2), FIX(3), FIX(4), FIX(5)};
 
+// The offset that one linear lookup needs; the planes do the rest of the kernel.
+static const Change receiver_plane = {
+    .name = "box by receiver planes",
+    .edits = {{"shadow.frag", "uniform int u_method;", "const int u_method = 4;"},
+              {"lab.c", "glPolygonOffset(2 * reach, 2)", "glPolygonOffset(2 + 0 * reach, 2)"},
+              RECEIVER_PLANE},
+    .edit_count = 4};
+
 static void add_filter(MethodList *list, Filter filter, int size) {
     Method *method = method_add_map(list, LAB_ID, filter.family, size, "%s", "");
     setting_knob(&method->setting, "method", (float)filter.method);
@@ -57,14 +67,29 @@ static void add_filter(MethodList *list, Filter filter, int size) {
     method->kernel = filter.kernel;
 }
 
-static void add_box(MethodList *list, int size) {
-    int radius = size / STUDY_KERNEL, side = 2 * radius + 1;
-    Method *method = method_add_map(list, LAB_ID, "box PCF", size, "%d x %d", side, side);
+static Method *add_box(MethodList *list, const char *family, int size, int radius) {
+    int side = 2 * radius + 1;
+    Method *method = method_add_map(list, LAB_ID, family, size, "%d x %d", side, side);
     setting_knob(&method->setting, "method", 4);
     method->change = &fixed[4];
     setting_knob(&method->setting, "kernel radius", (float)radius);
     method->taps = side * side;
     method->kernel = (float)radius;
+    return method;
+}
+
+// Two ways to keep acne off a wide kernel: an offset that grows with it, and the receiver's plane.
+static void add_to_bias(MethodList *list) {
+    for (int i = 0; i < STUDY_SIZES; i++) {
+        add_box(list, "box, offset by its kernel", study_sizes[i], 2);
+        add_box(list, "box, receiver plane", study_sizes[i], 2)->change = &receiver_plane;
+    }
+}
+
+// No one kernel fits penumbrae of several widths.
+static void add_to_wide_lamp(MethodList *list) {
+    for (int radius = 2; radius <= 8; radius += 2)
+        add_box(list, "box PCF", 256, radius);
 }
 
 static void add_to_edges(MethodList *list) {
@@ -78,7 +103,7 @@ static void add_to_penumbra(MethodList *list) {
     add_filter(list, hard, 1024);
     add_filter(list, linear, 256);
     for (int size = 128; size <= 512; size *= 2)
-        add_box(list, size);
+        add_box(list, "box PCF", size, size / STUDY_KERNEL);
 }
 
 static void add_to_volumes(MethodList *list) {
@@ -95,6 +120,10 @@ static void add_methods(MethodList *list, const char *scene) {
         add_to_penumbra(list);
     if (strcmp(scene, "volumes") == 0)
         add_to_volumes(list);
+    if (strcmp(scene, "bias") == 0)
+        add_to_bias(list);
+    if (strcmp(scene, "wide lamp") == 0)
+        add_to_wide_lamp(list);
 }
 
 // The light stays square to the wall; that it moved along it moves the map's grid.

@@ -38,9 +38,22 @@ static const StudyScene scenes[] = {
       .samples = 1024,
       .seed = 1},
      true,
-     STUDY_SOFT},
+     STUDY_SOFT,
+     .moves = false},
     {0},
 };
+
+// Where penumbrae have several widths, no radius is the matched one: a narrow, a middle and a wide one.
+static void add_to_wide_lamp(MethodList *list) {
+    for (int radius = 3; radius <= 12; radius *= 2) {
+        Method *method =
+            method_add_map(list, LAB_ID, "random with early-out", 512, "32 samples, radius %d", radius);
+        setting_knob(&method->setting, "radius", (float)radius);
+        method->taps = 32;
+        method->first = 8;
+        method->kernel = (float)radius;
+    }
+}
 
 // Random samples in a disc of `radius` texels; `wide` says by how much that is not the matched one.
 static void add_random(MethodList *list, int size, int columns, int rows, bool early_out, float wide) {
@@ -59,6 +72,8 @@ static void add_random(MethodList *list, int size, int columns, int rows, bool e
 
 static void add_methods(MethodList *list, const char *scene) {
     const int grids[][2] = {{4, 2}, {4, 4}, {4, 8}, {8, 8}, {16, 16}};
+    if (strcmp(scene, "wide lamp") == 0)
+        add_to_wide_lamp(list);
     if (strcmp(scene, "penumbra") != 0)
         return;
     for (int size = 256; size <= 1024; size *= 4)

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { MAP = 512, WALK = 160, LEAST_WIDTH = 32, WIDTH = 128, MOST_WIDTH = 256 };
+enum { MAP = 512, WALK = 640, LEAST_WIDTH = 32, WIDTH = 128, MOST_WIDTH = 256 };
 static const float half_map = 5;
 
 // The lab tells how many fragments are drawn by way of its message.

@@ -35,7 +35,8 @@ static const StudyScene scenes[] = {
      make_volumes,
      {.kind = TRUTH_LIGHT},
      true,
-     STUDY_HARD},
+     STUDY_HARD,
+     .moves = true},
     {0},
 };
 

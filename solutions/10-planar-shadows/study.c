@@ -29,14 +29,16 @@ static const StudyScene scenes[] = {
      make_flat,
      {.kind = TRUTH_LIGHT},
      true,
-     STUDY_HARD},
+     STUDY_HARD,
+     .moves = false},
     {"wide lamp",
      "A wide lamp over floor and wall: n x n lamps",
      "penumbrae that widen with the distance from caster to receiver",
      make_soft,
      {.kind = TRUTH_LIGHT, .samples = 1024, .seed = 1},
      true,
-     STUDY_SOFT},
+     STUDY_SOFT,
+     .moves = false},
     {0},
 };
 

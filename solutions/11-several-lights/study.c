@@ -25,21 +25,33 @@ static const StudyScene scenes[] = {
      make_lights,
      {.kind = TRUTH_LIGHTS},
      false, // edges of one light lie where the mean is not 1/2
-     1e-3},
+     1e-3,
+     .moves = false},
     {0},
 };
 
+static void add_lamps(MethodList *list, int n, int jitter) {
+    Method *method = method_add_map(list, LAB_ID, jitter ? "n x n maps, jittered" : "n x n maps", 256,
+                                    "%d x %d lamps", n, n);
+    setting_knob(&method->setting, "lamps", (float)n);
+    setting_knob(&method->setting, "jitter", (float)jitter);
+    method->taps = n * n;
+}
+
 static void add_methods(MethodList *list, const char *scene) {
     if (strcmp(scene, "lights") == 0)
-        for (int i = 0; i < STUDY_SIZES; i++)
-            if (study_sizes[i] <= 1024)
-                method_add_map(list, LAB_ID, "maps and a cube", study_sizes[i], "%s", "")->taps = 3;
+        for (int i = 0; i < STUDY_SIZES && study_sizes[i] <= 1024; i++)
+            for (int across = 0; across < 2; across++) {
+                Method *method =
+                    method_add_map(list, LAB_ID, across ? "maps and a cube, no seams" : "maps and a cube",
+                                   study_sizes[i], "%s", "");
+                setting_knob(&method->setting, "cube filter", (float)across);
+                method->taps = 3;
+            }
     if (strcmp(scene, "wide lamp") == 0)
-        for (int n = 1; n <= 8; n = n < 4 ? n + 1 : n + 2) {
-            Method *method = method_add_map(list, LAB_ID, "n x n maps", 256, "%d x %d lamps", n, n);
-            setting_knob(&method->setting, "lamps", (float)n);
-            method->taps = n * n;
-        }
+        for (int n = 1; n <= 8; n = n < 4 ? n + 1 : n + 2)
+            for (int jitter = 0; jitter < 2; jitter++)
+                add_lamps(list, n, jitter);
 }
 
 const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods}};

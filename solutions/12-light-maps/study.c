@@ -26,7 +26,8 @@ static const StudyScene scenes[] = {
      make_still,
      {.kind = TRUTH_LIGHT, .samples = 1024, .seed = 1},
      true,
-     STUDY_SOFT},
+     STUDY_SOFT,
+     .moves = false},
     {0},
 };
 
@@ -42,9 +43,13 @@ static void add_bake(Cost *cost, const Method *method, const Scene *scene) {
     free(atlas);
 }
 
-static void add_baked(MethodList *list, int density, int rays) {
-    Method *method = method_add(list, LAB_ID, "light map, rays", "%d luxels a unit, %d rays", density, rays);
+// Without padding a lookup at a chart's border blends with what is not baked. (The knob "memory" only makes
+// luxels fewer, which is charted already.)
+static void add_baked(MethodList *list, int density, int rays, int padding) {
+    Method *method = method_add(list, LAB_ID, padding ? "light map, rays" : "light map, rays, no padding",
+                                "%d luxels a unit, %d rays", density, rays);
     setting_knob(&method->setting, "luxel density", (float)density);
+    setting_knob(&method->setting, "padding", (float)padding);
     setting_knob(&method->setting, "rays", (float)rays);
     method->add_cost = add_bake;
     method->texel_bytes = 16; // two textures of GL_RGBA16F
@@ -55,7 +60,8 @@ static void add_methods(MethodList *list, const char *scene) {
         return;
     for (int density = 2; density <= 16; density *= 2)
         for (int rays = 4; rays <= 256 && density * density * rays <= 16384; rays *= 4)
-            add_baked(list, density, rays);
+            add_baked(list, density, rays, 1);
+    add_baked(list, 16, 64, 0);
     Method *hard = method_add_map(list, LAB_ID, "light map, shadow map", 512, "%s", "16 luxels a unit");
     setting_knob(&hard->setting, "luxel density", 16);
     setting_knob(&hard->setting, "shadows", 2);

@@ -27,7 +27,8 @@ static const StudyScene scenes[] = {
      make_dust,
      {.kind = TRUTH_DUST},
      false,
-     STUDY_SOFT},
+     STUDY_SOFT,
+     .moves = false},
     {0},
 };
 

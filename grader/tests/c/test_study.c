@@ -207,7 +207,7 @@ static void test_state(void **unused) {
     char folder[FILES_PATH] = "", path[FILES_PATH];
     Measurements state;
     MeasuredTime times[8];
-    const MeasuredErrors errors = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9};
+    const MeasuredErrors errors = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, -1};
     make_path(path, folder, "state");
     assert_true(measurements_open(&state, path) && measurements_errors(&state, 7) == NULL);
     assert_true(measurements_add_time(&state, &(MeasuredTime){7, 1.5, 2.5}) &&
@@ -235,7 +235,7 @@ static void write_table(const char *path, double first_ms, double second_ms, boo
     for (int i = 0; i < 2; i++)
         fprintf(file,
                 "edges,05,ours,\"linear\",\"a, map "
-                "%d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,0,0,0,0,0,0,0,6,1,1,0,0,0,0,%d,1,0\n",
+                "%d\",30,%g,1,0,0,0,0,0.01,0,0,0,0,0,0,0,0,0,0,0,0,0,0,6,1,1,0,0,0,0,%d,1,0,,\n",
                 i, i ? second_ms : first_ms, i ? front : 1);
     fclose(file);
 }

@@ -56,11 +56,31 @@ suite --row 17
 expect "one row" 0 "17  pass"
 [[ $(json 'json.dumps(rows[0])') == "$all" ]] && ok || bad "a row alone gives the same numbers"
 
-# faulty ROW LAB MISTAKE: the row must fail when the lab draws with this mistake.
+# Its slider goes through the frames of the sweep, each a small PNG.
+python3 -c 'import base64,json,re,struct,sys
+page = open(sys.argv[1]).read()
+(reel,) = re.findall(r"<figure class=\"reel\".*?<script type=\"application/json\">(.*?)</script>", page)
+pictures = [base64.b64decode(bytes) for words, bytes in json.loads(reel)]
+sizes = [struct.unpack(">II", p[16:24]) for p in pictures]
+assert len(pictures) > 5 and len(set(pictures)) > 5 and len({words for words, bytes in json.loads(reel)}) > 5
+assert f"max=\"{len(pictures) - 1}\"" in page and all(0 < w <= 330 for w, h in sizes) and max(map(len, pictures)) < 60000' \
+    "$page" 2>&1 && ok || bad "the slider has the frames of the sweep"
+
+# faulty ROW LAB MISTAKE: the row must fail when the lab draws with this mistake, by what is measured.
 faulty() {
     suite --row "$1" --mistake "$2:$3"
     expect "row $1 fails when $3" 1 "$1  fail"
+    grep -q "^ *$1  fail .*, expected " <<<"$out" && ok || bad "row $1 measures that $3" "$out"
 }
+faulty 1 04 "front faces are left out of the map whatever the method"
+faulty 4 05 "the kernel is not centred on the point" # the row's own change adds a knob
+faulty 8 04 "culling is switched off instead of turned round"
+faulty 12 04 "the bias is halved: it is taken in [-1, 1], not in the map's [0, 1]"
+faulty 25 07 "facing the light has a tolerance"
+faulty 26 07 "the counts do not wrap"
+faulty 27 07 "the volumes have a fixed length"
+faulty 903 09 "edges are compared at one corner"
+faulty 1002 10 "the lamps stand at the cells' corners"
 faulty 2 04 "the bias is halved: it is taken in [-1, 1], not in the map's [0, 1]"
 faulty 3 04 "the factor is left at 0: the offset does not depend on the slope"
 faulty 6 04 "the cosine is used where the sine belongs"
@@ -68,13 +88,10 @@ faulty 7 04 "the bias has the wrong sign"
 faulty 40 03 "the directional light is drawn with a perspective projection"
 faulty 41 04 "the normal offset goes into the surface"
 faulty 42 04 "culling is switched off instead of turned round"
-faulty 43 03 "the directional light is drawn with a perspective projection"
 faulty 44 03 "the size of the map is fixed"
 faulty 45 07 "the volumes have a fixed length"
 faulty 46 03 "front faces are left out of the map: that is lab 04"
-faulty 47 04 "the bias is halved: it is taken in [-1, 1], not in the map's [0, 1]"
 faulty 11 03 "the test for points behind the light is inverted"
-faulty 13 03 "the size of the map is fixed"
 faulty 15 05 "the kernel is not centred on the point"
 faulty 16 06 "the square root is missing: the samples crowd in the middle"
 faulty 17 06 "the innermost samples come first"

@@ -1,0 +1,21 @@
+// What a scene's objects are worth to the rubric: which mistakes would other checks see if one were not
+// there? An object is needed when, without it in the scene's variants of a check,
+// - the grader would not ask one of these variants any more (exam_acceptable), or
+// - a known mistake that fails the check would pass it, or the other way round.
+// Pixels that merely change (scene_needs.h) are no reason by themselves: more boxes would change more of
+// them.
+#pragma once
+
+#include "exam/exam.h"
+
+#include <stdbool.h>
+
+// Does a variant of this scene in the exam have it (scene_needs_has)?
+bool scene_power_has(const Exam *exam, const char *scene, int thing);
+
+enum { POWER_TEXT = 300 };
+
+// Is this object, or behind SCENE_MAX_OBJECTS this light, of the scene needed in the exam? `why` gets the
+// first check that says so, and what happens; "" when none does. False with a message when ours cannot be
+// drawn.
+bool scene_power_find(Exam *exam, const char *scene, int thing, char why[POWER_TEXT]);
