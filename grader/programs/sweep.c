@@ -45,8 +45,10 @@ static bool check(void *settings, const Operands *operands) {
     sweep->folder = operands->texts[0];
     sweep->value_count = operands->count - 1;
     for (int i = 0; i < sweep->value_count; i++)
-        if (!option_decimal(&sweep->values[i], operands->texts[i + 1]))
+        if (!option_decimal(&sweep->values[i], operands->texts[i + 1])) {
+            check_clear();
             return check_fail("a value is a number, not \"%s\"", operands->texts[i + 1]);
+        }
     return true;
 }
 
