@@ -73,6 +73,9 @@ pictures: build ### draw the pictures of the handouts: make pictures [LAB=03]
 diagrams: ### draw the diagrams of the handouts: make diagrams [LAB=03] (needs node); then make skeletons
 	@node grader/site/diagrams.mjs $(LAB_OPERAND)
 
+frames: build $(BUILD)/sweep ### draw the labs over a knob, for sliders on the site: make frames [LAB=04]; then make site
+	@node grader/site/frames.mjs $(LAB_OPERAND)
+
 contexts: build ### do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
 	@$(SCRIPTS)/contexts $(BUILD) $(LAB_OPERAND)
 

@@ -97,7 +97,7 @@ const site = {
 function decorate(page, slides) {
   const folder = [`solutions/${page.lab}`, `grader/recorded/${page.lab}`].find(existsSync);
   const html = addMeasured(addAnswer(addSlides(page.html, slides), folder), measured(page.lab, output));
-  return withFigure(html, page.lab) ?? { html };
+  return withFigure(html, page.lab, site.picture) ?? { html };
 }
 
 // The first picture of a page.
