@@ -236,7 +236,8 @@ static int grade_submission(const GradeCommand *command) {
                                      .seconds = settings->seconds,
                                      .seed = settings->seed,
                                      .no_swap = settings->no_swap,
-                                     .evidence = command->output || command->format == REPORT_HTML};
+                                     .evidence = command->output || command->format == REPORT_HTML ||
+                                                 command->format == REPORT_GRADESCOPE};
     bool ok = jail_choose(&jail, settings->route, command->trusted, "grade", &session.options.jail);
     int status = EXIT_COULD_NOT;
     if (ok && add_labs(&session, &settings->labs) && session_grade(&session, command->submission, &report) &&
