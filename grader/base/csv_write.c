@@ -6,6 +6,8 @@
 
 bool csv_is_formula(const char *text) {
     static const char *const begins[] = {"=", "+", "-", "@", "'", "\uff1d", "\uff0b", "\uff0d", "\uff20"};
+    if (strcmp(text, "-") == 0) // "nothing", in many lists
+        return false;
     for (size_t i = 0; i < COUNT(begins); i++)
         if (strncmp(text, begins[i], strlen(begins[i])) == 0)
             return true;

@@ -1,5 +1,6 @@
 #include "book/book.h"
 
+#include "class/submission_record.h"
 #include "scene/check.h"
 
 #include <stdio.h>
@@ -32,6 +33,14 @@ const char *book_id(const Book *book, const BookRow *row) {
     return row->entry >= 0 ? book->table->roster->entries[row->entry].id : "";
 }
 
+time_t book_time(const Book *book, const BookRow *row) {
+    bool told;
+    const Student *student = book_student(book, row);
+    if (student && student->handed_in != 0)
+        return student->handed_in;
+    return row->entry >= 0 ? submission_record_time(book->table->records[row->entry], &told) : 0;
+}
+
 const char *book_status(const Book *book, const BookRow *row) {
     return row->entry >= 0 ? table_status(book->table, row->entry) : "not handed in";
 }
@@ -41,4 +50,14 @@ bool book_has_points(const Book *book, const BookRow *row) {
         if (row->marks[n].known)
             return true;
     return false;
+}
+
+bool book_counts(const Book *book, const BookRow *row) {
+    if (!book->listed)
+        return true;
+    for (const BookRow *other = book->rows; row->student >= 0 && other < book->rows + book->count; other++)
+        if (other != row && other->student == row->student &&
+            (other->total > row->total || (other->total == row->total && other < row)))
+            return false;
+    return row->student >= 0;
 }

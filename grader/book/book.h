@@ -48,8 +48,15 @@ const char *book_name(const Book *book, const BookRow *row);
 const char *book_id(const Book *book, const BookRow *row);
 const Student *book_student(const Book *book, const BookRow *row); // NULL: not on the list
 
+// When it was handed in: by the list, else by the record; 0: unknown.
+time_t book_time(const Book *book, const BookRow *row);
+
 // "passed", "failed" or "not graded" as it was measured, else "not handed in".
 const char *book_status(const Book *book, const BookRow *row);
 
 // Are there points, measured or given by hand, in any lab?
 bool book_has_points(const Book *book, const BookRow *row);
+
+// Is this the row that counts for its student? With a list, who is not on it has none; of several hand-ins of
+// a student the one with the most points has it.
+bool book_counts(const Book *book, const BookRow *row);

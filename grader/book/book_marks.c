@@ -1,6 +1,5 @@
 #include "book/book_marks.h"
 
-#include "class/submission_record.h"
 #include "scene/check.h"
 
 #include <math.h>
@@ -30,13 +29,9 @@ static int lab_number(const Book *book, const char *lab) {
     return BOOK_NONE;
 }
 
-// The days that overrides and the clock give to each lab.
+// The days that the clock gives to each lab.
 static void count_days(const Book *book, BookRow *row) {
-    bool told;
-    const Student *student = book_student(book, row);
-    time_t time = row->entry >= 0 ? submission_record_time(book->table->records[row->entry], &told) : 0;
-    if (student && student->handed_in != 0)
-        time = student->handed_in;
+    const time_t time = book_time(book, row);
     for (int n = 0; n < book->table->plan->lab_count; n++)
         if (row->marks[n].handed_in)
             row->marks[n].late_days = late_rule_days(&book->late, book->table->plan->labs[n], time);

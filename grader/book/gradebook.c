@@ -1,5 +1,6 @@
 #include "book/gradebook.h"
 
+#include "book/anonymous.h"
 #include "book/class_page.h"
 #include "book/grades_csv.h"
 
@@ -46,7 +47,10 @@ bool gradebook_write(const Table *table, const ClassSettings *settings, void *co
     Book book;
     if (!book_open(&book, table, settings->output, &wanted->files))
         return false;
-    const bool ok = grades_csv_write(settings->output, &book) && write_page(&book, settings->output);
+    const bool ok = grades_csv_write(settings->output, &book) && write_page(&book, settings->output) &&
+                    export_write(&book, settings->output, wanted->exports, wanted->no_points) &&
+                    (!wanted->anonymous ||
+                     anonymous_write(&book, settings->output, wanted->anonymous, wanted->no_points));
     if (!settings->only) {
         say_list(&book);
         say_stale(&book);

@@ -2,10 +2,14 @@
 #pragma once
 
 #include "book/book_open.h"
+#include "book/export.h"
 #include "class/class_settings.h"
 
 typedef struct GradebookSettings {
     BookFiles files;
+    bool exports[EXPORT_KINDS];
+    const char *anonymous; // the file of pseudonyms; NULL: no anonymous pages
+    bool no_points;        // on pages that are given away
 } GradebookSettings;
 
 // A ClassTables of class/class.h; `context` is a GradebookSettings. What people should know of the list of

@@ -73,11 +73,15 @@ bool late_rule_read(LateRule *rule, const char *path) {
     return ok;
 }
 
-int late_rule_days(const LateRule *rule, const char *lab, time_t handed_in) {
+double late_rule_seconds(const LateRule *rule, const char *lab, time_t handed_in) {
     for (int i = 0; handed_in != 0 && i < rule->count; i++)
         if (strcmp(rule->labs[i], lab) == 0)
-            return (int)fmax(0, ceil((difftime(handed_in, rule->due[i]) - rule->grace) / DAY));
+            return fmax(0, difftime(handed_in, rule->due[i]));
     return 0;
+}
+
+int late_rule_days(const LateRule *rule, const char *lab, time_t handed_in) {
+    return (int)fmax(0, ceil((late_rule_seconds(rule, lab, handed_in) - rule->grace) / DAY));
 }
 
 double late_rule_share(const LateRule *rule, int days) {

@@ -20,6 +20,10 @@ typedef struct LateRule {
 // Reads the JSON file. False with a message.
 bool late_rule_read(LateRule *rule, const char *path);
 
+// By how many seconds is this too late for the lab, the grace left aside? 0 also for a lab without a due date
+// and for the time 0, which is unknown.
+double late_rule_seconds(const LateRule *rule, const char *lab, time_t handed_in);
+
 // How many days too late is this for the lab? A day that has begun counts. 0 also for a lab without a due
 // date and for the time 0, which is unknown.
 int late_rule_days(const LateRule *rule, const char *lab, time_t handed_in);

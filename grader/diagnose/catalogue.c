@@ -34,6 +34,23 @@ static void name_place(char name[FUNCTIONS_NAME], const char *text, const char *
             memcpy(name, functions.list[i].name, FUNCTIONS_NAME);
 }
 
+// Does the edit of our text of the file change words of the function that the student's has otherwise, too?
+static bool edit_meets(const Edit *edit, const char *text, const FaultPart *part) {
+    static Functions ours, mistaken;
+    static Hunks hunks;
+    char *edited = part->hunks.count > 0 ? task_blocks_edit(text, edit) : NULL;
+    if (!edited)
+        return true;
+    functions_split(&ours, text);
+    functions_split(&mistaken, edited);
+    const Function *a = functions_find(&mistaken, part->ours), *b = functions_find(&ours, part->ours);
+    if (a && b)
+        hunks_find(&hunks, (TextPart){edited, a->begin, a->end}, (TextPart){text, b->begin, b->end});
+    const bool meets = !a || !b || hunks_meet(&hunks, &part->hunks);
+    free(edited);
+    return meets;
+}
+
 static bool edit_lies_in(const Edit *edit, const FaultPart *part, const Rubric *rubric) {
     char name[FUNCTIONS_NAME];
     if (strcmp(edit->file, part->file) != 0)
@@ -46,7 +63,7 @@ static bool edit_lies_in(const Edit *edit, const FaultPart *part, const Rubric *
     char *text = lab_folder_source(rubric, file, (Solved){SOLVED_ALL, NULL});
     if (text)
         name_place(name, text, edit->find);
-    const bool same = text && strcmp(name, part->ours) == 0;
+    const bool same = text && strcmp(name, part->ours) == 0 && edit_meets(edit, text, part);
     free(text);
     return same;
 }

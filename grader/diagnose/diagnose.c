@@ -102,10 +102,20 @@ static bool is_acquitted(const Diagnosis *this, int t) {
     return own > 0 && passed == own;
 }
 
+// Has what was handed out changed in each part with the fault?
+static bool given_changed(const Fault *fault) {
+    for (int i = 0; i < fault->count; i++)
+        if (fault->parts[i].function[0] && !fault->parts[i].given)
+            return false;
+    return true;
+}
+
 // Random numbers are given, so that no task holds them. When the tasks of the part with the fault are right,
 // and only the noise is another, the check tells whose task needs those numbers.
 static void suspect_noise(Diagnosis *this) {
     const Rubric *rubric = this->exam->rubric;
+    if (!given_changed(&this->result->fault))
+        return;
     for (int i = 0; i < this->suspects.count; i++)
         if (!is_acquitted(this, this->suspects.tasks[i]))
             return;

@@ -1,6 +1,7 @@
 // What comes out of grading. Plain data; strings from the rubric live as long as it does.
 #pragma once
 
+#include "compile/hunks.h"
 #include "exam/exam.h"
 #include "score/difference.h"
 
@@ -43,6 +44,8 @@ typedef struct FaultPart {
                        // the whole file
     bool whole;
     char ours[64];     // our name of the function
+    Hunks hunks;       // of a function: where the student's reads otherwise than ours
+    bool given;        // what was handed out has changed there, too, or nothing can be told
     char helpers[128]; // the student's own functions that it calls, "a, b"
     const char
         *tasks[FAULT_TASKS]; // that are done there, the most likely first; all NULL in what was handed out

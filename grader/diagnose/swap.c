@@ -1,9 +1,8 @@
 // Lists the parts that differ from ours, tries the likely first, keeps those with which failed checks pass.
 #include "diagnose/swap.h"
 
-#include "compile/lab_folder.h"
 #include "compile/tokens.h"
-#include "diagnose/mixed_lab.h"
+#include "diagnose/part_tasks.h"
 #include "scene/check.h"
 
 #include <stdio.h>
@@ -35,48 +34,6 @@ typedef struct SwapSearch {
     double spent, began;
     bool stopped;
 } SwapSearch;
-
-static int line_of(const char *text, size_t at) {
-    int line = 1;
-    for (size_t i = 0; i < at; i++)
-        line += text[i] == '\n';
-    return line;
-}
-
-typedef struct TaskMarks {
-    const Rubric *rubric;
-    bool *tasks;
-} TaskMarks;
-
-static void mark_task(const char *task, void *context) {
-    const TaskMarks *marks = context;
-    const int t = rubric_task_index(marks->rubric, task);
-    if (t >= 0)
-        marks->tasks[t] = true;
-}
-
-// Marks the tasks whose answers lie in these bytes of our text, which has the annotated one's lines.
-static void mark_tasks(Candidate *candidate, const SwapSearch *search, size_t begin, size_t end) {
-    const char *ours = search->lab.files[candidate->file].ours_text;
-    char path[FILES_PATH];
-    files_join(path, search->rubric->folder, search->rubric->files[candidate->file]);
-    char *annotated = files_read(path, DERIVE_MAX_FILE);
-    TaskMarks marks = {search->rubric, candidate->tasks};
-    if (annotated)
-        task_blocks_between(annotated, line_of(ours, begin), line_of(ours, end), mark_task, &marks);
-    free(annotated);
-}
-
-static void mark_tasks_outside(Candidate *candidate, const SwapSearch *search) {
-    const Functions *ours = &search->lab.files[candidate->file].ours;
-    size_t from = 0;
-    for (int i = 0; i <= ours->count; i++) {
-        const size_t end = i < ours->count ? ours->list[i].begin : strlen(ours->text);
-        if (strspn(ours->text + from, " \n") < end - from)
-            mark_tasks(candidate, search, from, end);
-        from = i < ours->count ? ours->list[i].end : end;
-    }
-}
 
 // Tasks of checks that failed speak for a part, tasks of checks that passed against it; shaders are tried
 // before C, which needs the compiler.
@@ -128,7 +85,7 @@ static void add_function(SwapSearch *search, int file, const Function *ours) {
     if (!functions_find(&mixed->theirs, ours->name) && !(called = find_renamed(mixed, ours->name)))
         return;
     Candidate *candidate = add(search, PART_FUNCTION, file, ours->name, called);
-    mark_tasks(candidate, search, ours->begin, ours->end);
+    part_tasks_mark(candidate->tasks, search->rubric, mixed, ours->begin, ours->end);
 }
 
 // Parts that are the same in both are no candidates.
@@ -140,10 +97,11 @@ static void list_candidates(SwapSearch *search) {
         for (int k = 0; split && k < file->ours.count; k++)
             add_function(search, i, &file->ours.list[k]);
         if (split && !functions_same_outside(&file->theirs, &file->ours))
-            mark_tasks_outside(add(search, PART_OUTSIDE, i, NULL, NULL), search);
+            part_tasks_mark_outside(add(search, PART_OUTSIDE, i, NULL, NULL)->tasks, search->rubric, file);
         const bool same = split && search->count == before && file->theirs.count == file->ours.count;
         if (!same)
-            mark_tasks(add(search, PART_FILE, i, NULL, NULL), search, 0, strlen(file->ours_text));
+            part_tasks_mark(add(search, PART_FILE, i, NULL, NULL)->tasks, search->rubric, file, 0,
+                            strlen(file->ours_text));
     }
     for (int i = 0; i < search->count; i++)
         weigh(&search->list[i], search);
@@ -227,6 +185,15 @@ static void list_helpers(FaultPart *part, const MixedFile *file, const Candidate
     }
 }
 
+static void find_hunks(FaultPart *part, const MixedFile *file) {
+    const Function *ours = functions_find(&file->ours, part->ours),
+                   *theirs = functions_find(&file->theirs, part->function);
+    part->hunks.unknown = !ours || !theirs;
+    if (ours && theirs)
+        hunks_find(&part->hunks, (TextPart){file->text, theirs->begin, theirs->end},
+                   (TextPart){file->ours_text, ours->begin, ours->end});
+}
+
 // A whole file stands for the parts of it that were found before.
 static void forget_parts(Fault *fault, const char *file) {
     int count = 0;
@@ -241,16 +208,20 @@ static void note_part(Fault *fault, const SwapSearch *search, const Candidate *c
         forget_parts(fault, search->lab.files[candidate->file].name);
     FaultPart *part = &fault->parts[fault->count++];
     const MixedFile *file = &search->lab.files[candidate->file];
+    bool tasks[EXAM_MAX_TASKS];
     int count = 0;
+    memcpy(tasks, candidate->tasks, sizeof tasks);
     *part = (FaultPart){.file = file->name, .whole = candidate->kind == PART_FILE};
     if (candidate->kind == PART_FUNCTION) {
         snprintf(part->function, sizeof part->function, "%s",
                  candidate->called ? candidate->called : candidate->name);
         snprintf(part->ours, sizeof part->ours, "%s", candidate->name);
         list_helpers(part, file, candidate);
+        find_hunks(part, file);
+        part->given = part_tasks_narrow(tasks, search->rubric, file, &part->hunks);
     }
     for (int t = 0; t < search->rubric->hint_count && count < FAULT_TASKS; t++)
-        if (candidate->tasks[t])
+        if (tasks[t])
             part->tasks[count++] = search->rubric->hints[t].task;
 }
 

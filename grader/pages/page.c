@@ -97,12 +97,15 @@ void page_text(Page *page, const char *text) {
 
 static void write_head(Page *page, const char *head) {
     bool number = head[0] == '#';
+    const bool points = strcmp(head, "#points") == 0;
+    fputs(points ? PAGE_POINTS : "", page->out);
     fputs(number    ? "<th scope=\"col\" class=\"number\">"
           : head[0] ? "<th scope=\"col\">"
                     : "<td>",
           page->out);
     page_text(page, head + number);
     fputs(head[0] ? "</th>" : "</td>", page->out);
+    fputs(points ? PAGE_POINTS_END : "", page->out);
 }
 
 void page_begin_table(Page *page, const char *label, const char *const *heads) {

@@ -21,6 +21,10 @@ bool page_begin_shell(FILE *out, const char *title, const char *style);
 // Writes what comes behind the content. False with a message.
 bool page_end_shell(FILE *out);
 
+// Around markup that tells points, so that a page can be given without them.
+#define PAGE_POINTS "<!--points-->"
+#define PAGE_POINTS_END "<!--/points-->"
+
 // Begins a page up to its heading, with the style of page.css. False with a message.
 bool page_begin(Page *page, const char *title);
 
@@ -31,8 +35,8 @@ char *page_end(Page *page);
 void page_text(Page *page, const char *text);
 
 // Begins a table that can be scrolled by itself on a narrow screen. `label` says what it holds; `heads` are
-// the columns' heads, NULL after the last: with a '#' before it, that of a column of numbers; "": of none.
-// Rows follow, then page_end_table.
+// the columns' heads, NULL after the last: with a '#' before it, that of a column of numbers; "": of none;
+// "#points" is marked as points. Rows follow, then page_end_table.
 void page_begin_table(Page *page, const char *label, const char *const *heads);
 void page_end_table(Page *page);
 

@@ -97,6 +97,13 @@ static const Option options[] = {
      AT(book.files.overrides), option_text},
     {"due", 0, "FILE", "a JSON of due dates and what lateness costs; OUT keeps it", AT(book.files.late),
      option_text},
+    {"export", 0, "SYSTEM",
+     "canvas, moodle, gradescope or sqlite: OUT/export/, with a page a student named by id;\nmay be repeated",
+     AT(book.exports), export_take},
+    {"anonymous", 0, "FILE", "OUT/anonymous/: the class under pseudonyms, which FILE keeps: keep it secret",
+     AT(book.anonymous), option_text},
+    {"no-points", 0, NULL, "pages that --export and --anonymous make have no points", AT(book.no_points),
+     option_flag},
     {"compare", 0, "OLD",
      "who has other points in OUT NEW than in OLD, and by which checks; --output DIR: also\nDIR/changes.csv",
      AT(compare), option_text},
@@ -114,6 +121,14 @@ static bool can_be_opened(const char *path) {
     return (stat(path, &info) == 0 && S_ISREG(info.st_mode) && archive_is_name(path)) || is_folder(path);
 }
 
+static bool goes_with_tables(const GradeCommand *command) {
+    const GradebookSettings *book = &command->book;
+    bool away = book->anonymous;
+    for (int k = 0; k < EXPORT_KINDS; k++)
+        away = away || book->exports[k];
+    return !book->no_points || away || check_fail("--no-points goes with --export or --anonymous");
+}
+
 static bool check_class(GradeCommand *command, const Operands *operands) {
     ClassSettings *class = &command->class;
     class->output = command->output;
@@ -122,7 +137,15 @@ static bool check_class(GradeCommand *command, const Operands *operands) {
     if (operands->count > 0)
         return check_fail("with --class there is no SUBMISSION: \"%s\"", operands->texts[0]);
     return (class->output || class->list || check_fail("--class needs --output OUT")) &&
-           is_folder(class->folder) && book_check_files(&command->book.files);
+           is_folder(class->folder) && goes_with_tables(command) && book_check_files(&command->book.files);
+}
+
+static bool has_book_options(const GradebookSettings *book) {
+    bool has =
+        book->files.roster || book->files.overrides || book->files.late || book->anonymous || book->no_points;
+    for (int k = 0; k < EXPORT_KINDS; k++)
+        has = has || book->exports[k];
+    return has;
 }
 
 static bool check(void *settings, const Operands *operands) {
@@ -132,8 +155,9 @@ static bool check(void *settings, const Operands *operands) {
         return check_fail("--trusted and --jail exclude each other");
     if (class->folder && !command->compare)
         return check_class(command, operands);
-    if (command->book.files.roster || command->book.files.overrides || command->book.files.late)
-        return check_fail("--roster, --overrides and --due go with --class");
+    if (has_book_options(&command->book))
+        return check_fail(
+            "--roster, --overrides, --due, --export, --anonymous and --no-points go with --class");
     if (class->jobs || class->resume || class->gather || class->list || class->only)
         return check_fail("-j, --resume, --only, --gather and --list go with --class");
     command->submission = operands->texts[0];
@@ -212,7 +236,8 @@ static int grade_submission(const GradeCommand *command) {
                                      .seconds = settings->seconds,
                                      .seed = settings->seed,
                                      .no_swap = settings->no_swap,
-                                     .evidence = command->output || command->format == REPORT_HTML};
+                                     .evidence = command->output || command->format == REPORT_HTML ||
+                                                 command->format == REPORT_GRADESCOPE};
     bool ok = jail_choose(&jail, settings->route, command->trusted, "grade", &session.options.jail);
     int status = EXIT_COULD_NOT;
     if (ok && add_labs(&session, &settings->labs) && session_grade(&session, command->submission, &report) &&

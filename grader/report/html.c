@@ -13,7 +13,7 @@ static void write_check(Page *page, const CheckResult *check) {
     fprintf(page->out, "<tr><td class=\"%s\">%s</td><td>%s</td><td>", class_of(check->passed),
             check->passed ? "passed" : "failed", check->check->task);
     page_text(page, check->check->name);
-    fprintf(page->out, "%s</td><td class=\"number\">%.2f of %d</td><td>",
+    fprintf(page->out, "%s</td>" PAGE_POINTS "<td class=\"number\">%.2f of %d</td>" PAGE_POINTS_END "<td>",
             check->check->optional ? " <span class=\"quiet\">(optional)</span>" : "", result_points(check),
             check->check->points);
     if (check->has_cause) {
@@ -94,9 +94,9 @@ static void write_lab(Page *page, const LabResult *lab) {
     fprintf(page->out, "<h2>Lab %s: ", lab->id);
     page_text(page, lab->name);
     fprintf(page->out,
-            "</h2>\n<p><meter min=\"0\" max=\"%.0f\" value=\"%.2f\" aria-label=\"points\"></meter> %.2f of "
-            "%.0f points, "
-            "<span class=\"%s\">%s</span>",
+            "</h2>\n<p>" PAGE_POINTS
+            "<meter min=\"0\" max=\"%.0f\" value=\"%.2f\" aria-label=\"points\"></meter> %.2f of "
+            "%.0f points, " PAGE_POINTS_END "<span class=\"%s\">%s</span>",
             lab->max_score, lab->score, lab->score, lab->max_score, class_of(lab->status == LAB_PASSED),
             result_status_name(lab->status));
     if (lab->speed_ratio > 0)
@@ -119,8 +119,10 @@ char *report_html(const Report *report, const char *name) {
     Page page;
     if (!page_begin(&page, name[0] ? name : "Shadow Lab"))
         return NULL;
-    fprintf(page.out, "<p>%.2f of %.0f points <span class=\"quiet\">(seed %llu, %s", result_score(report),
-            result_max_score(report), (unsigned long long)report->seed, report->context);
+    fprintf(page.out,
+            "<p>" PAGE_POINTS "%.2f of %.0f points " PAGE_POINTS_END "<span class=\"quiet\">(seed %llu, %s",
+            result_score(report), result_max_score(report), (unsigned long long)report->seed,
+            report->context);
     fputs(report->renderer[0] ? ", " : "", page.out);
     page_text(&page, report->renderer);
     fputs(")</span></p>\n", page.out);

@@ -106,6 +106,81 @@ is "the list's time counts: in time" "$(row "Ann Lee" "lab 03")" "1|100.00"
 is "the list's time counts: a second late" "$(row zoe@example.org "lab 03")" "1|90.00"
 rm "$output/due.json"
 
+# What learning systems import, field by field, and a page a student named by id.
+printf '{"due": {"03": "2026-11-05 11:00"}, "percent a day": 10}' >"$work/due.json"
+gather --roster "$work/roster.csv" --due "$work/due.json" --export canvas --export moodle --export gradescope --export sqlite
+expect "exports" 0
+python3 - "$output/export" "$output" <<'PYTHON' && ok || bad "exports, field by field"
+import csv, os, pathlib, sqlite3, sys
+out = pathlib.Path(sys.argv[1])
+read = lambda name: list(csv.reader(open(out / name, newline="", encoding="utf-8")))
+canvas = read("canvas.csv")
+lab = canvas[0][5]
+assert canvas[0][:5] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"] and lab.startswith("Lab 03: "), canvas[0]
+assert canvas[1] == ["    Points Possible", "", "", "", "", "100.00"], canvas[1]
+assert sorted(canvas[2:]) == sorted([
+    ["Lee, Ann", "101", "00101", "ann@example.org", "", "90.00"],
+    ["Ñandú, Zoë", "102", "", "zoe@example.org", "", "90.00"],
+    ["O'Brien, Bo", "103", "103", "bo@example.org", "", "0.00"],
+    ["'=Cmd(), ", "", "104", "eve@example.org", "", ""]]), canvas
+moodle = read("moodle.csv")
+assert moodle[0] == ["Full name", "ID number", "Email address", lab], moodle[0]
+assert moodle[1:][-1] == ["'=Cmd()", "104", "eve@example.org", ""] and ["Ann Lee", "00101", "ann@example.org", "90.00"] in moodle, moodle
+scope = read("gradescope.csv")
+assert scope[0] == ["First Name", "Last Name", "SID", "Email", "Sections", lab, f"{lab} - Max Points", f"{lab} - Submission Time",
+                    f"{lab} - Lateness (H:M:S)", "Total Lateness (H:M:S)"], scope[0]
+ann = next(row for row in scope if row[0] == "Ann")
+assert ann[1:7] == ["Lee", "00101", "ann@example.org", "", "90.00", "100.00"], ann
+late = ann[8]
+assert ann[7].startswith("2026-11-05 12:00:00 ") and late == ann[9] == "01:00:00", ann
+assert scope[-1][5:] == ["", "100.00", "", "00:00:00", "00:00:00"], scope[-1]
+assert all(len(row) == len(table[0]) for table in (canvas, moodle, scope) for row in table)
+base = sqlite3.connect(out / "grades.sqlite")
+ask = lambda text: base.execute(text).fetchall()
+assert ask("SELECT name, id, status, total FROM student WHERE submission = ''") == [("=Cmd()", "104", "not handed in", None)]
+assert ask("SELECT name, points, measured, maximum, late_days, taken FROM student JOIN grade USING (student) WHERE id = '00101'") == [("Ann Lee", 90, 100, 100, 1, 10)]
+assert ask("SELECT sum(points) FROM student JOIN \"check\" USING (student) WHERE id = '00101'") == [(100,)]
+assert ask("SELECT count(*) FROM \"check\" WHERE mistake <> ''")[0][0] > 5 and ask("SELECT lab FROM lab") == [("03",)]
+assert ask("SELECT count(*) FROM student") == [(5,)] and ask("PRAGMA integrity_check") == [("ok",)]
+assert sorted(os.listdir(out / "feedback")) == ["00101.html", "103.html", "zoe@example.org.html"], os.listdir(out / "feedback")
+assert sorted(os.listdir(out)) == ["canvas.csv", "feedback", "grades.sqlite", "gradescope.csv", "moodle.csv"], os.listdir(out)
+PYTHON
+rm "$output/due.json"
+printf 'Identifier,"Full name","Email address",Status,Grade,"Maximum Grade","Feedback comments"\nParticipant 101,Ann Lee,a@x,"Submitted, late",,"100,00",\nParticipant 7,Cy,c@x,-,,"100,00",\n' >"$work/sheet.csv"
+gather --roster "$work/sheet.csv" --export moodle
+is "Moodle's worksheet comes back with the grade" "$(cat "$output/export/moodle-worksheet.csv")" '"Identifier","Full name","Email address","Status","Grade","Maximum Grade","Feedback comments"
+"Participant 101","Ann Lee","a@x","Submitted, late",100.00,"100,00",""
+"Participant 7","Cy","c@x","-","","100,00",""'
+printf 'Student,ID,SIS User ID,SIS Login ID,Section,"Lab 3 (77)"\n    Points Possible,,,,,100\n"Lee, Ann",101,u1,alee,A,\n' >"$work/canvas.csv"
+gather --roster "$work/canvas.csv" --export canvas
+is "an assignment of Canvas keeps its name" "$(sed -n '1p;3p' "$output/export/canvas.csv")" 'Student,ID,SIS User ID,SIS Login ID,Section,"Lab 3 (77)"
+"Lee, Ann","101","u1","alee","A",100.00'
+grades --class "$class" --output "$output" --gather --export excel
+expect "an unknown system" 2 'takes canvas, moodle, gradescope or sqlite, not "excel"'
+
+# Without names, and without points.
+gather --roster "$work/roster.csv" --anonymous "$work/secret.csv" --no-points
+expect "anonymous pages" 0
+named=$(cat "$output"/anonymous/*.* "$output"/anonymous/pages/* | sed -E 's/base64,[A-Za-z0-9+\/=]*//g' | grep -oiE '.{0,20}(lee|ñandú|zoë|brien|cmd|example.org|10[1-4]_|guest).{0,20}')
+[[ -z $named ]] && ok || bad "a name is left" "$named"
+is "a page each" "$(ls "$output/anonymous/pages" | wc -l) $(ls "$output/anonymous/pages" | grep -cE '^s-[0-9a-f]{8}.html$')" "4 4"
+grep -rqE '[0-9.]+ of [0-9]+ ?(points|<)|<meter' "$output/anonymous/pages" && bad "points are left" "$(grep -rohE '.{30}of [0-9]+.{20}' "$output/anonymous/pages" | head -5)" || ok
+grep -q 'is not done' "$output"/anonymous/pages/*.html && ok || bad "the hints are left out, too"
+is "who may read the secret" "$(stat -c %a "$work/secret.csv")" 600
+cp "$output/anonymous/grades.csv" "$work/before.csv" && cp "$work/secret.csv" "$work/secret-before.csv"
+gather --anonymous "$work/secret.csv"
+cmp -s "$work/before.csv" "$output/anonymous/grades.csv" && cmp -s "$work/secret.csv" "$work/secret-before.csv" && ok || bad "pseudonyms stay" "$(diff "$work/before.csv" "$output/anonymous/grades.csv")"
+grep -q '<meter' "$output"/anonymous/pages/*.html && ok || bad "with points unless asked"
+[[ $(sed 1d "$work/before.csv") == "$(sed 1d "$work/before.csv" | sort)" ]] && ok || bad "the order tells names" "$(cat "$work/before.csv")"
+gather --anonymous "$work/roster.csv"
+expect "no pseudonyms" 3 "roster.csv:1: these are no pseudonyms"
+gather --no-points
+expect "points of what" 2 "--no-points goes with --export or --anonymous"
+sed -i 's/<!--points-->//g' "$output"/pages/Ann*.html
+gather --export canvas --no-points
+expect "pages of an older grader" 3 "was made by an older grader"
+grades --class "$class" --output "$output" --only "Ann Lee_101_assignsubmission_file_"
+
 # Two outputs side by side.
 cp -r "$output" "$work/newer"
 python3 - "$work/newer" <<'PYTHON'

@@ -45,6 +45,17 @@ sed -i 's/random_range(&random, -0.5f, 0.5f)/(float)rand() \/ (float)RAND_MAX - 
 grades --trusted --lab 06 --seed 1 "$folder"
 expect "rand()" 1 "\`fill_offsets\` (offsets.h), task 6.3" "not the given random numbers"
 
+# Of a function with several tasks only those are told in whose answers the student's reads otherwise; and no mistake
+# is named whose words stand there as they should.
+folder=$(resolve tasks 03)
+sed -i 's/if (position_light_clip.w <= 0.0)/if (position_light_clip.z < 0.0)/' "$folder/shadow.frag"
+grades --trusted --lab 03 --seed 1 "$folder"
+expect "the task in the function" 1 "\`visibility\` (shadow.frag), task 3.7:"
+folder=$(resolve words 07)
+sed -i 's/    glDisable(GL_CULL_FACE);/&\n    glDisable(GL_DEPTH_TEST);/' "$folder/lab.c"
+grades --trusted --lab 07 --seed 1 "$folder"
+expect "no mistake is named whose words are right" 1 "=> the fault is in \`draw_volumes\` (lab.c), task 7.6"
+
 # Two faults in two functions; a task that is not done is no fault.
 folder=$(resolve two 07)
 sed -i 's/    emit(at_infinity(c));/    emit(here(c));/' "$folder/volume.geom"
