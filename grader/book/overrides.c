@@ -1,3 +1,4 @@
+// Finds the columns, reads each row, and refuses what stands there twice.
 #include "book/overrides.h"
 
 #include "base/option_values.h"
@@ -104,7 +105,7 @@ bool overrides_read(Overrides *overrides, const char *path) {
     bool ok = csv_read(&overrides->csv, path) && find_columns(&columns, &overrides->csv);
     overrides->list = calloc((size_t)overrides->csv.count + 1, sizeof *overrides->list);
     INVARIANT(overrides->list);
-    for (int row = 0; ok && row < overrides->csv.count; row++)
+    for (int row = 0; ok && overrides->list && row < overrides->csv.count; row++)
         ok = read_row(overrides, row, &columns);
     if (ok && are_once(overrides))
         return true;

@@ -19,7 +19,7 @@ static const double least_share = 0.5;
 
 typedef struct CopyLab {
     Rubric rubric;
-    Fingerprint given, *prints; // one a hand-in
+    CodePrint given, *prints; // one a hand-in
 } CopyLab;
 
 typedef struct CopyPair {
@@ -97,11 +97,11 @@ static int by_value(const void *a, const void *b) {
 }
 
 // The hashes that more than `most` hand-ins have.
-static Fingerprint find_frequent(const CopyLab *lab, int count, int most) {
+static CodePrint find_frequent(const CopyLab *lab, int count, int most) {
     size_t total = 0, at = 0;
     for (int i = 0; i < count; i++)
         total += (size_t)lab->prints[i].count;
-    Fingerprint all = {0, calloc(total + 1, sizeof *all.hashes), 0};
+    CodePrint all = {0, calloc(total + 1, sizeof *all.hashes), 0};
     INVARIANT(all.hashes);
     for (int i = 0; i < count; at += (size_t)lab->prints[i++].count)
         if (lab->prints[i].count > 0)
@@ -117,7 +117,7 @@ static Fingerprint find_frequent(const CopyLab *lab, int count, int most) {
     return all;
 }
 
-static void drop(Fingerprint *print, const Fingerprint *frequent) {
+static void drop(CodePrint *print, const CodePrint *frequent) {
     int kept = 0;
     for (int i = 0; i < print->count; i++)
         if (frequent->count == 0 || !bsearch(&print->hashes[i], frequent->hashes, (size_t)frequent->count,
@@ -137,14 +137,14 @@ static int by_share(const void *a, const void *b) {
 }
 
 static CopyPair compare(const CopyLab *lab, int first, int second) {
-    const Fingerprint *a = &lab->prints[first], *b = &lab->prints[second];
+    const CodePrint *a = &lab->prints[first], *b = &lab->prints[second];
     return (CopyPair){first, second, fingerprint_common(a, b), a->count < b->count ? a->count : b->count,
                       a->whole == b->whole};
 }
 
 static int write_lab(FILE *out, const Table *table, CopyLab *lab, const char *id) {
     const int count = table->roster->count;
-    Fingerprint frequent = find_frequent(lab, count, 4 + count / 10);
+    CodePrint frequent = find_frequent(lab, count, 4 + count / 10);
     bool *own = calloc((size_t)count + 1, sizeof *own); // is there anything of their own?
     CopyPair *pairs = NULL;
     int found = 0;

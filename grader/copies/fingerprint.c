@@ -129,7 +129,7 @@ static int by_value(const void *a, const void *b) {
     return x < y ? -1 : x > y;
 }
 
-static void sort_once(Fingerprint *fingerprint) {
+static void sort_once(CodePrint *fingerprint) {
     int kept = 0;
     qsort(fingerprint->hashes, (size_t)fingerprint->count, sizeof *fingerprint->hashes, by_value);
     for (int i = 0; i < fingerprint->count; i++)
@@ -138,16 +138,16 @@ static void sort_once(Fingerprint *fingerprint) {
     fingerprint->count = kept;
 }
 
-static bool holds(const Fingerprint *given, uint64_t hash) {
+static bool holds(const CodePrint *given, uint64_t hash) {
     return given && given->count > 0 &&
            bsearch(&hash, given->hashes, (size_t)given->count, sizeof hash, by_value) != NULL;
 }
 
 // The hashes of all grams that are not given.
-static Fingerprint grams(const char *text, const Fingerprint *given) {
+static CodePrint grams(const char *text, const CodePrint *given) {
     TokenList list = cut(text);
-    Fingerprint all = {hash_bytes(HASH_START, list.tokens, sizeof *list.tokens * (size_t)list.count),
-                       calloc((size_t)list.count + 1, sizeof *all.hashes), 0};
+    CodePrint all = {hash_bytes(HASH_START, list.tokens, sizeof *list.tokens * (size_t)list.count),
+                     calloc((size_t)list.count + 1, sizeof *all.hashes), 0};
     INVARIANT(all.hashes);
     for (int i = 0; i + FINGERPRINT_GRAM <= list.count; i++) {
         const uint64_t hash = hash_bytes(HASH_START, list.tokens + i, sizeof *list.tokens * FINGERPRINT_GRAM);
@@ -158,14 +158,14 @@ static Fingerprint grams(const char *text, const Fingerprint *given) {
     return all;
 }
 
-Fingerprint fingerprint_of_given(const char *text) {
-    Fingerprint all = grams(text, NULL);
+CodePrint fingerprint_of_given(const char *text) {
+    CodePrint all = grams(text, NULL);
     sort_once(&all);
     return all;
 }
 
-Fingerprint fingerprint_make(const char *text, const Fingerprint *given) {
-    Fingerprint all = grams(text, given);
+CodePrint fingerprint_make(const char *text, const CodePrint *given) {
+    CodePrint all = grams(text, given);
     int kept = 0;
     for (int i = 0; i < all.count; i++) {
         uint64_t least = all.hashes[i];
@@ -178,12 +178,12 @@ Fingerprint fingerprint_make(const char *text, const Fingerprint *given) {
     return all;
 }
 
-void fingerprint_destroy(Fingerprint *fingerprint) {
+void fingerprint_destroy(CodePrint *fingerprint) {
     free(fingerprint->hashes);
-    *fingerprint = (Fingerprint){0};
+    *fingerprint = (CodePrint){0};
 }
 
-int fingerprint_common(const Fingerprint *a, const Fingerprint *b) {
+int fingerprint_common(const CodePrint *a, const CodePrint *b) {
     int common = 0;
     for (int i = 0, j = 0; i < a->count && j < b->count;) {
         common += a->hashes[i] == b->hashes[j];

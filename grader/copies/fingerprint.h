@@ -8,19 +8,19 @@
 
 enum { FINGERPRINT_GRAM = 12, FINGERPRINT_WINDOW = 6 }; // tokens; what shares 17 tokens shares a hash
 
-typedef struct Fingerprint {
+typedef struct CodePrint {
     uint64_t whole;   // of all tokens
     uint64_t *hashes; // sorted, each once
     int count;
-} Fingerprint;
+} CodePrint;
 
 // Makes it of the text without the grams that `given` holds (NULL: none). Two texts that differ only in
 // comments, in names that are no keywords, in spaces and line ends have the same one.
-Fingerprint fingerprint_make(const char *text, const Fingerprint *given);
+CodePrint fingerprint_make(const char *text, const CodePrint *given);
 
 // All grams of the text, not only those of the windows: what is to be left out elsewhere.
-Fingerprint fingerprint_of_given(const char *text);
-void fingerprint_destroy(Fingerprint *fingerprint); // accepts a zeroed one
+CodePrint fingerprint_of_given(const char *text);
+void fingerprint_destroy(CodePrint *fingerprint); // accepts a zeroed one
 
 // How many hashes two of them share.
-int fingerprint_common(const Fingerprint *a, const Fingerprint *b);
+int fingerprint_common(const CodePrint *a, const CodePrint *b);
