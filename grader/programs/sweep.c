@@ -65,6 +65,7 @@ static const CommandLine command_line = {
 };
 
 static const StudyScene *find_scene(const char *name) {
+    INVARIANT(name);
     for (int i = 0; study_scene(i); i++)
         if (strcmp(study_scene(i)->name, name) == 0)
             return study_scene(i);
