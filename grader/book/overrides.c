@@ -89,6 +89,7 @@ static bool are_once(const Overrides *overrides) {
     for (int i = 0; i < overrides->count; i++)
         for (int j = 0; j < i; j++) {
             const Override *a = &overrides->list[j], *b = &overrides->list[i];
+            INVARIANT(a->student && b->student && a->check && b->check); // read_row has set them
             const bool both = (a->points >= 0 && b->points >= 0) || (a->late_days >= 0 && b->late_days >= 0);
             if (both && strcmp(a->lab, b->lab) == 0 && strcasecmp(a->student, b->student) == 0 &&
                 strcasecmp(a->check, b->check) == 0)
