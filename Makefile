@@ -23,7 +23,7 @@ grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS=
 	@$(BUILD)/grade $(LAB_OPTION) $(RECORD) $(ARGS) $(SUBMISSION) || [ $$? = 1 ] # 1: graded, but not all passed
 
 report: build ## the same as a web page with pictures: make report [LAB=03]
-	@$(SCRIPTS)/report_page $(BUILD) '$(LAB)' $(SUBMISSION) $(RECORD) $(ARGS)
+	@ARGS="$(RECORD) $(ARGS)" $(SCRIPTS)/report_page $(BUILD) '$(LAB)' $(SUBMISSION)
 
 watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress: make watch [LAB=03]
 	@$(BUILD)/watch $(LAB_OPTION) $(ARGS)
@@ -72,6 +72,9 @@ pictures: build ### draw the pictures of the handouts: make pictures [LAB=03]
 
 diagrams: ### draw the diagrams of the handouts: make diagrams [LAB=03] (needs node); then make skeletons
 	@node grader/site/diagrams.mjs $(LAB_OPERAND)
+
+frames: build $(BUILD)/sweep ### draw the labs over a knob, for sliders on the site: make frames [LAB=04]; then make site
+	@node grader/site/frames.mjs $(LAB_OPERAND)
 
 contexts: build ### do OSMesa and EGL give the same verdicts on the whole catalogue? make contexts [LAB=03]
 	@$(SCRIPTS)/contexts $(BUILD) $(LAB_OPERAND)

@@ -12,9 +12,11 @@ void page_part_link(ClassPage *page, const BookRow *row) {
     if (graded)
         fprintf(page->page.out, "<a href=\"pages/%s.html\">",
                 hidden ? hidden : table->roster->entries[row->entry].file);
-    page_text(&page->page, hidden                                ? hidden
-                           : row->student >= 0 || row->entry < 0 ? book_name(page->book, row)
-                                                                 : table->roster->entries[row->entry].shown);
+    // Learning systems' names of folders are long: who it is comes from them.
+    const bool told = row->entry < 0 || row->student >= 0 || table->roster->entries[row->entry].id[0];
+    page_text(&page->page, hidden ? hidden
+                           : told ? book_name(page->book, row)
+                                  : table->roster->entries[row->entry].shown);
     fputs(graded ? "</a>" : "", page->page.out);
 }
 

@@ -1,23 +1,52 @@
 #include "report/report.h"
 
+#include "pages/page.h"
 #include "scene/check.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 static double cents(double points) {
     return round(points * 100) / 100;
 }
 
+static void add_line(Page *page, const char *text) {
+    fputs("<p style=\"white-space: pre-line\">", page->out);
+    page_text(page, text);
+    fputs("</p>", page->out);
+}
+
+// The cause, and yours, the reference and their difference side by side where most is wrong. Gradescope shows
+// pictures only in HTML, as data: URIs.
+static json_t *output_json(const LabResult *lab, const CheckResult *check) {
+    Page page = {0};
+    page.out = open_memstream(&page.text, &page.size);
+    INVARIANT(page.out);
+    if (check->has_cause) {
+        add_line(&page, check->mistake);
+        if (check->seen[0])
+            add_line(&page, check->seen);
+        add_line(&page, check->hint);
+    } else if (!check->passed) {
+        add_line(&page, lab->message);
+    }
+    if (check->evidence[EVIDENCE_CROP].rgba) {
+        page_picture(&page, &check->evidence[EVIDENCE_CROP], "crop",
+                     "yours, reference and difference side by side, enlarged where most is wrong");
+        fputs("<p>yours, reference, difference</p>", page.out);
+    }
+    fclose(page.out);
+    json_t *output = json_string(page.text);
+    free(page.text);
+    return output;
+}
+
 static json_t *test_json(const LabResult *lab, const CheckResult *check) {
-    json_t *output = check->has_cause ? json_sprintf("%s%s%s\n%s", check->mistake, check->seen[0] ? "\n" : "",
-                                                     check->seen, check->hint)
-                     : check->passed  ? json_string("")
-                                      : json_string(lab->message);
     return json_pack("{s:o, s:s, s:f, s:i, s:s, s:o, s:s, s:s}", "name",
                      json_sprintf("Lab %s: %s", lab->id, check->check->name), "number", check->check->task,
                      "score", result_points(check), "max_score", check->check->points, "status",
-                     check->passed ? "passed" : "failed", "output", output, "output_format", "text",
-                     "visibility", "visible");
+                     check->passed ? "passed" : "failed", "output", output_json(lab, check), "output_format",
+                     "html", "visibility", "visible");
 }
 
 // What concerns a lab as a whole.

@@ -9,6 +9,7 @@ import { gallery } from "./gallery.mjs";
 import { addAnswer, addMeasured, addSlides } from "./handout.mjs";
 import { describe, landing } from "./landing.mjs";
 import { frame } from "./layout.mjs";
+import { measured } from "./measured.mjs";
 import { escape, render, slug } from "./pages.mjs";
 import { sections, slidesOfTasks } from "./parts.mjs";
 import { search } from "./search.mjs";
@@ -93,28 +94,10 @@ const site = {
   },
 };
 
-// What was measured, where it is there, is part of the site: the study's chart, and the rows of the stability suite.
-function measured(lab) {
-  const from = (name) => `build/study/${name}.html`;
-  const links = [];
-  const copy = (name) => {
-    mkdirSync(path.join(output, "measured"), { recursive: true });
-    copyFileSync(from(name), path.join(output, "measured", `${name}.html`));
-    return `measured/${name}.html`;
-  };
-  if (existsSync(from("chart")) && existsSync(`solutions/${lab}/study.c`))
-    links.push({ address: copy("chart"), words: "Speed against error: each method in many settings" });
-  const text = existsSync(from("stability")) ? readFileSync(from("stability"), "utf8") : "";
-  for (const [, id, number, words] of text.matchAll(/<section id="(row-(\d+))"><h2>\d+\. ([^<]*)/g))
-    if (Math.floor(number / 100) === Number(lab.slice(0, 2)))
-      links.push({ address: `${copy("stability")}#${id}`, words: `Where methods break: ${words.trim()}` });
-  return links;
-}
-
 function decorate(page, slides) {
   const folder = [`solutions/${page.lab}`, `grader/recorded/${page.lab}`].find(existsSync);
-  const html = addMeasured(addAnswer(addSlides(page.html, slides), folder), measured(page.lab));
-  return withFigure(html, page.lab) ?? { html };
+  const html = addMeasured(addAnswer(addSlides(page.html, slides), folder), measured(page.lab, output));
+  return withFigure(html, page.lab, site.picture) ?? { html };
 }
 
 // The first picture of a page.

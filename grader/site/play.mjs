@@ -30,6 +30,20 @@ function grips(figure) {
     `<circle class="reach" r="24"/><circle class="ring" r="12"/></g>`).join("");
 }
 
+// Real frames on a slider: `host` holds them all in order, and the numbers below.
+export function frames(host) {
+  const all = [...host.querySelectorAll("[data-frame]")], control = host.querySelector("input");
+  const show = () => {
+    all.forEach((frame) => (frame.hidden = Number(frame.dataset.frame) !== Number(control.value)));
+    const words = host.querySelector("div[data-frame]:not([hidden])").dataset.words;
+    control.setAttribute("aria-valuetext", words);
+    host.querySelector("output").textContent = words;
+  };
+  control.addEventListener("input", show);
+  host.hidden = false;
+  show();
+}
+
 // Makes the figure in `host`, whose `hidden` goes.
 export function play(figure, host) {
   const { width, height, text } = figure.view;

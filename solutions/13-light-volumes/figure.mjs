@@ -69,7 +69,7 @@ function numbers(state) {
     ["lit part of the way", `${fixed(bright)} of ${fixed(far)}`],
     ["exactly, by faces", fixed(right, 3)],
     [`by ${state.steps} steps`, fixed(found, 3)],
-    ["error of the steps", percent((found - right) / right, 1), Math.abs(found / right - 1) > 0.05 ? "bad" : "good"],
+    ["error of the steps", right > 0 ? percent((found - right) / right, 1) : fixed(found, 3), Math.abs(found - right) > 0.05 * right ? "bad" : "good"],
     ["left of a light at D, e⁻ᵃᴰ", percent(Math.exp(-state.loss * far))],
     ["without shadows, G(D)", fixed(gathered(far, state.loss), 3)],
   ];

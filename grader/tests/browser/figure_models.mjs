@@ -2,6 +2,8 @@
 // figure's own way, against the functions of solutions/NN-name/figure.mjs. Needs no browser.
 import { readdirSync } from 'node:fs';
 import { random } from '../../site/geometry.mjs';
+import { start } from '../../site/play.mjs';
+import { sketch } from '../../site/sketch.mjs';
 
 const root = new URL('../../../solutions/', import.meta.url);
 const seed = Number(process.argv[2] ?? Date.now() % 100000), next = random(seed);
@@ -235,6 +237,22 @@ const models = {
     },
 };
 
+// At any state, the extremes too, a figure has numbers and draws with them.
+function broken(figure) {
+    const pick = (least, most) => [least, most, between(least, most)][Math.floor(between(0, 3))], state = start(figure);
+    for (const [name, { choices, least, most, step }] of Object.entries(figure.knobs))
+        state[name] = choices ? Math.floor(between(0, choices.length)) : Math.round(pick(least, most) / step) * step;
+    for (const [name, { box: [[x, y], [u, v]], keep = (at) => at }] of [...Object.entries(figure.points), ...Object.entries(figure.points)])
+        state[name] = keep([pick(x, u), pick(y, v)], state);
+    const drawing = sketch(figure.view);
+    figure.draw(drawing, state);
+    return [...drawing.parts, ...figure.numbers(state).flat()].some((text) => /NaN|undefined|Infinity/.test(text));
+}
+
+for (const id of Object.keys(models)) {
+    const { figure } = await lab(id);
+    equal(`${id}: no state is without numbers`, times(60, () => broken(figure)).filter(Boolean).length, 0);
+}
 for (const [id, test] of Object.entries(models)) await test(await lab(id));
 const untested = readdirSync(root).filter((name) => /^\d\d-/.test(name) && !models[name.slice(0, 2)]);
 equal('each lab\'s figure is tested here', untested.join(' '), '');

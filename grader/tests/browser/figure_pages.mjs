@@ -1,6 +1,6 @@
 // figure_pages.mjs SITE: the figures of the site in Chromium: each page shows what the figure's own functions say, a slider, the
 // arrow keys, the mouse and a finger change it, nothing misbehaves. Without scripts the diagram is there and the figure is not.
-import { existsSync, readdirSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { check, finish, launch, open } from './browser.mjs';
@@ -83,10 +83,24 @@ for (const [i, lab] of labs.entries()) {
     await context.close();
 }
 
+// Real frames, where they were made: one picture at a time, with the numbers of its line.
+for (const lab of labs.filter((name) => existsSync(`build/frames/${name}/frames.json`))) {
+    const [{ frames }] = JSON.parse(readFileSync(`build/frames/${lab}/frames.json`, 'utf8')), page = await open(browser, pathToFileURL(`${site}/${lab}.html`).href);
+    const control = page.locator('.frames input').first(), shown = page.locator('.frames').first().locator('[data-frame]:visible');
+    const words = ({ shadow, light }) => [shadow, light].map((share) => `${(100 * share).toFixed(2)} %`);
+    const rows = () => page.locator('.frames').first().locator('dd:visible').allTextContents();
+    check(`${lab}: the first frame`, (await shown.count()) === 2 && same(await rows(), words(frames[0])), String(await rows()));
+    await control.focus();
+    await page.keyboard.press('End');
+    check(`${lab}: the last frame`, (await shown.count()) === 2 && same(await rows(), words(frames.at(-1))), String(await rows()));
+    check(`${lab}: its picture is there`, await shown.first().evaluate((image) => image.naturalWidth > 0));
+    await page.context().close();
+}
+
 // Without scripts: the diagram, and no empty frame.
 const still = await browser.newContext({ javaScriptEnabled: false }), page = await still.newPage();
 await page.goto(pathToFileURL(`${site}/${labs[0]}.html`).href);
-check('without scripts no figure is shown', !(await page.locator('.play').isVisible()));
+check('without scripts no figure is shown', !(await page.locator('.play').isVisible()) && !(await page.locator('.frames:visible').count()));
 check('without scripts the diagram is', await page.locator('main img[src$=".svg"]').first().isVisible());
 await browser.close();
 finish();

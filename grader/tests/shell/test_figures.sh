@@ -17,9 +17,23 @@ runs flock $browser/package.json make --no-print-directory BUILD="$work" grader/
 expect "npm" 0
 runs node grader/site/build.mjs "$work/site"
 expect "the site is built" 0
-sed -n '/class="play"/,/<\/script>/p' "$work"/site/03-*.html | grep 'http' && bad "a figure names no address" || ok
+sed -n '/<script type="module">/,/<\/script>/p' "$work"/site/03-*.html | grep 'http' && bad "a figure names no address" || ok
 runs node $browser/figure_pages.mjs "$work/site"
 expect "the figures in a browser" 0 ", 0 failed"
+
+# Frames over a knob: what a bias of 0 costs is acne, what a large one costs is light. Closed form: half of a bare floor is dark.
+if [[ -x $BUILD/sweep ]]; then
+    runs "$BUILD/sweep" --lab 04 --scene bias --over bias --knob method=1 --knob "map size=512" --size 160x120 "$work/frames" 0 0.05
+    expect "two frames" 0
+    awk -F, 'NR == 1 { acne = $2 > 0.3 && $2 < 0.5 && $3 < 0.01 } NR == 2 { gap = $2 < 0.01 && $3 > 0.02 } END { exit !(acne && gap && NR == 2) }' <<<"$out" && ok || bad "acne, then a gap" "$out"
+    cmp -s "$work/frames/0.png" "$work/frames/1.png" && bad "two different pictures" || ok
+    runs "$BUILD/sweep" --lab 04 --scene nowhere --over bias "$work/frames" 0
+    expect "a scene that is not there" 1 'the study has no "nowhere"'
+    runs "$BUILD/sweep" --lab 04 --scene bias --over bias "$work/frames" many
+    expect "a value that is no number" 2 'a value is a number, not "many"'
+    runs "$BUILD/sweep" --lab 04 --scene bias --over nothing "$work/frames" 1
+    [[ $status == 1 ]] && ok || bad "a knob that the lab has not" "$out"
+fi
 
 # What is wrong is seen: a number, a drawing, a picture that a handout does not show, a lab without a diagram.
 copy=$work/copy

@@ -31,6 +31,7 @@ rm "$AUTOGRADER"/submission/*.*
 run
 [[ $status == 0 && $(field 'r["score"], len(r["tests"])') == "(0.0, 11)" ]] && ok || bad "a folder with the skeleton" "$out$(cat "$work/log")"
 [[ -z $(valid <<<"$out") && $(field '"is not done" in r["tests"][0]["output"]') == True ]] && ok || bad "causes" "$out"
+[[ $(field 'all(t["output_format"] == "html" for t in r["tests"]), any("<img" in t["output"] and "src=\"data:image/png;base64,iVBOR" in t["output"] for t in r["tests"]), len(json.dumps(r)) < 2000000') == "(True, True, True)" ]] && ok || bad "pictures" "${out:0:2000}"
 [[ -z $(valid <<<'{"score": "all", "tests": []}') ]] && bad "the schema takes a score that is no number" || ok
 rm "$AUTOGRADER/source/project/build/worker"
 run

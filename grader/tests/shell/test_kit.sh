@@ -88,6 +88,9 @@ expect "help" 0 "make watch" "make hand-in"
 [[ $out != *mutants* && $out != *"make demo"* ]] && ok || bad "help lists what is not there" "$out"
 in_kit demo
 expect "a teacher's target" 2 "make demo is not in this kit; make help lists what is"
+grep -q '^| \[13 ' "$kit/README.md" && ! grep -q '@LABS@' "$kit/README.md" && ok || bad "the table of labs in the kit's README" "$(cat "$kit/README.md")"
+[[ -s $kit/grader/recorded/03-shadow-map/afterword.json && -z $(find "$kit/labs" -name 'afterword*') ]] && ok || bad "what is told after the lab"
+grep -qE -- '--mistake|--skeleton' "$kit"/grader/recorded/*/pictures && bad "pictures of what is not the student's" || ok
 grep -q "make watch" "$kit/README.md" && ! grep -qE 'build/grade --class|make demo' "$kit/README.md" && ok || bad "the kit's README"
 in_kit hand-in LAB=03
 expect "hand in" 0 "build/lab-03.tar.gz" "03-shadow-map/lab.c" "still to do: TODO(3.1)"

@@ -102,6 +102,18 @@ expect "a wrong formula" 1 "$page: the formula" "is wrong"
 { cat "$work/page"; printf '\n[where?](nowhere.md)\n'; } >$page
 runs node grader/site/build.mjs "$work/none"
 expect "a link that leads nowhere" 1 "$page: the link to nowhere.md leads nowhere"
+# What was measured is linked from the labs' pages, where it is there.
+mkdir -p build/study
+echo '<p>a chart</p>' >build/study/chart.html
+printf '<section id="row-%s"><h2>%s. %s <span>' 301 301 'light &lt; dark' 302 302 'far &amp; wide' 1001 1001 wide >build/study/stability.html
+cp "$work/page" $page
+runs node grader/site/build.mjs "$work/measured"
+expect "with what was measured" 0
+links() { grep -o 'href="measured/[^<]*' "$work/measured/$1"*.html | sed 's/.*href=//'; }
+[[ $(links 03) == *'chart.html">Speed'*'stability.html#row-301">Where methods break: light &lt; dark'*'#row-302">'* && $(links 03) != *1001* ]] && ok || bad "links of lab 03" "$(links 03)"
+[[ $(links 10) == *'#row-1001">'* && -z $(links 01) && -s $work/measured/measured/stability.html ]] && ok || bad "links of others" "$(links 10; links 01)"
+rm -r build
+printf '\n[where?](nowhere.md)\n' >>$page
 mv solutions elsewhere
 runs node grader/site/build.mjs "$work/none"
 expect "the same in a kit, which lacks some files" 0 "pages"

@@ -1,0 +1,72 @@
+// What the watch shows of points: nothing looks whole that is not; and how far a sheet can be scrolled.
+#include "watch/screens.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static LabBoard board;
+static Sheet sheet;
+
+// The screen of a lab with one check of `most` points, of which there are `points`.
+static void show(double points, int most, bool passed) {
+    memset(&board, 0, sizeof board);
+    board = (LabBoard){.folder = "labs", .lab_count = 1, .known = true, .score_before = -1};
+    board.rubrics[0] = (Rubric){.id = "03", .folder = "solutions/03-test", .title = "t", .check_count = 1};
+    board.rubrics[0].checks[0] = (Check){.name = "c", .task = "3.1", .points = most};
+    board.verdict = (LabVerdict){.status = LAB_FAILED, .score = points, .max_score = most, .check_count = 1};
+    board.verdict.checks[0] = (VerdictCheck){.points = points, .passed = passed};
+    board.focus.check = passed ? -1 : 0;
+    sheet_begin(&sheet, 100);
+    screens_lab(&sheet, &board, false);
+}
+
+static bool shown(const char *text) {
+    for (int i = 0; i < sheet.count; i++)
+        if (strstr(sheet.lines[i].text, text))
+            return true;
+    return false;
+}
+
+static void test_points(void **unused) {
+    (void)unused;
+    static const struct {
+        double points;
+        int most;
+        bool passed;
+        const char *check, *lab;
+    } cases[] = {
+        {7.97, 8, false, " 7.9 of 8", " 7 of 8"},
+        {11.4, 12, true, "11.4 of 12", " 11 of 12"},
+        {8, 8, true, "   8 of 8", " 8 of 8"},
+        {0, 15, false, "   0 of 15", " 0 of 15"},
+        {0.04, 15, false, "   0 of 15", " 0 of 15"},
+        {100, 100, true, " 100 of 100", " 100 of 100"},
+        {99.99, 100, true, "99.9 of 100", " 99 of 100"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        show(cases[i].points, cases[i].most, cases[i].passed);
+        if (!shown(cases[i].check) || !shown(cases[i].lab))
+            fail_msg("%.2f of %d is not shown as \"%s\"", cases[i].points, cases[i].most, cases[i].check);
+    }
+}
+
+static void test_scrolling(void **unused) {
+    (void)unused;
+    sheet_begin(&sheet, 80);
+    for (int i = 0; i < 20; i++)
+        sheet_line(&sheet, STYLE_PLAIN, "%d", i);
+    assert_int_equal(sheet_last_top(&sheet, 21), 0); // 20 lines and the keys
+    assert_int_equal(sheet_last_top(&sheet, 20), 1);
+    assert_int_equal(sheet_last_top(&sheet, 2), 19);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_points), cmocka_unit_test(test_scrolling)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
