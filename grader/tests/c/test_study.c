@@ -195,6 +195,26 @@ static void test_truth_noise(void **unused) {
     lab_artist_close(&artist);
 }
 
+// Where a method culls front faces, all is closed: a sheet would be missing in its map, which then looks
+// cheap.
+static void test_closed_receivers(void **unused) {
+    (void)unused;
+    static MethodList list;
+    int scenes = 0;
+    for (int s = 0; study_scene(s); s++) {
+        Scene scene;
+        bool culls = false;
+        study_add_methods(&list, study_scene(s));
+        for (int i = 0; i < list.count; i++)
+            culls = culls || strcmp(list.methods[i].family, "front faces culled") == 0;
+        study_scene(s)->make(&scene);
+        scenes += culls;
+        for (int i = 0; culls && i < scene.object_count; i++)
+            assert_int_not_equal(scene.objects[i].shape, SHAPE_PLANE);
+    }
+    assert_true(scenes > 0);
+}
+
 static void make_path(char path[FILES_PATH], char folder[FILES_PATH], const char *name) {
     if (!folder[0])
         assert_true(files_make_temporary(folder));
@@ -265,10 +285,12 @@ static void test_compare(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_median),      cmocka_unit_test(test_front),
-                                       cmocka_unit_test(test_edge_length), cmocka_unit_test(test_edge_angles),
-                                       cmocka_unit_test(test_edge_error),  cmocka_unit_test(test_map_side),
-                                       cmocka_unit_test(test_fragments),   cmocka_unit_test(test_state),
-                                       cmocka_unit_test(test_truth_noise), cmocka_unit_test(test_compare)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_median),          cmocka_unit_test(test_front),
+        cmocka_unit_test(test_edge_length),     cmocka_unit_test(test_edge_angles),
+        cmocka_unit_test(test_edge_error),      cmocka_unit_test(test_map_side),
+        cmocka_unit_test(test_fragments),       cmocka_unit_test(test_state),
+        cmocka_unit_test(test_truth_noise),     cmocka_unit_test(test_compare),
+        cmocka_unit_test(test_closed_receivers)};
     return cmocka_run_group_tests_name("study", tests, NULL, NULL);
 }
