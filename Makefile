@@ -23,7 +23,7 @@ grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS=
 	@$(BUILD)/grade $(LAB_OPTION) $(RECORD) $(ARGS) $(SUBMISSION) || [ $$? = 1 ] # 1: graded, but not all passed
 
 report: build ## the same as a web page with pictures: make report [LAB=03]
-	@$(SCRIPTS)/report_page $(BUILD) '$(LAB)' $(SUBMISSION) $(RECORD) $(ARGS)
+	@ARGS="$(RECORD) $(ARGS)" $(SCRIPTS)/report_page $(BUILD) '$(LAB)' $(SUBMISSION)
 
 watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress: make watch [LAB=03]
 	@$(BUILD)/watch $(LAB_OPTION) $(ARGS)

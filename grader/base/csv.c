@@ -140,7 +140,7 @@ static bool keep_row(const CsvReader *reader, int line) {
         csv->rows = realloc(csv->rows, sizeof *csv->rows * (size_t)(csv->count ? 2 * csv->count : 1));
         INVARIANT(csv->rows);
     }
-    csv->rows[csv->count++] = (CsvRow){line, keep_cells(reader, csv->column_count)};
+    csv->rows[csv->count++] = (CsvLine){line, keep_cells(reader, csv->column_count)};
     return true;
 }
 

@@ -8,16 +8,16 @@
 
 enum { CSV_MAX_BYTES = 16 << 20, CSV_MAX_COLUMNS = 500 };
 
-typedef struct CsvRow {
+typedef struct CsvLine {
     int line;     // of the file, from 1, where it begins
     char **cells; // one a head; "" where the row is shorter
-} CsvRow;
+} CsvLine;
 
 typedef struct Csv {
     char path[FILES_PATH];
     char **heads;
     int column_count;
-    CsvRow *rows; // without the heads and without rows of empty cells
+    CsvLine *rows; // without the heads and without rows of empty cells
     int count;
     char *text; // holds all cells
 } Csv;

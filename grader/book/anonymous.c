@@ -1,3 +1,4 @@
+// Copies the book with its rows in the order of pseudonyms, and writes tables and pages of the copy.
 #include "book/anonymous.h"
 
 #include "book/class_page.h"

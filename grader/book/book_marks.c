@@ -1,3 +1,4 @@
+// Fills in each mark in the order: measured, days late, points that they take, points by hand.
 #include "book/book_marks.h"
 
 #include "scene/check.h"

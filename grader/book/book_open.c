@@ -96,7 +96,7 @@ bool book_open(Book *book, const Table *table, const char *output, const BookFil
     *book = (Book){.table = table};
     bool ok = read_files(book, output, files);
     if (ok) {
-        book->rows = calloc((size_t)(table->roster->count + book->list.count), sizeof *book->rows);
+        book->rows = calloc((size_t)table->roster->count + (size_t)book->list.count, sizeof *book->rows);
         INVARIANT(book->rows);
         add_entries(book);
         add_missing(book);

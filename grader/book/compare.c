@@ -41,7 +41,7 @@ static void add_record(const char *name, void *context) {
     }
     if ((list->count & (list->count - 1)) == 0) { // room is always a power of two
         list->records =
-            realloc(list->records, sizeof *list->records * (size_t)(list->count ? 2 * list->count : 1));
+            realloc(list->records, sizeof(json_t *) * (size_t)(list->count ? 2 * list->count : 1));
         INVARIANT(list->records);
     }
     list->records[list->count++] = record;
@@ -62,7 +62,7 @@ static bool read_records(RecordList *list, const char *output) {
         return check_fail("%s holds no results of a class run: give the folder that was its --output",
                           output);
     }
-    qsort(list->records, (size_t)list->count, sizeof *list->records, by_name);
+    qsort(list->records, (size_t)list->count, sizeof(json_t *), by_name);
     return true;
 }
 

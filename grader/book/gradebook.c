@@ -3,6 +3,7 @@
 #include "book/anonymous.h"
 #include "book/class_page.h"
 #include "book/grades_csv.h"
+#include "copies/copies.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,6 +43,14 @@ static void say_stale(const Book *book) {
                 first);
 }
 
+static bool find_copies(const Table *table, const ClassSettings *settings) {
+    int count;
+    if (!copies_write(table, settings, &count))
+        return false;
+    printf("%d pairs of hand-ins have code in common: %s/copies.csv\n", count, settings->output);
+    return true;
+}
+
 bool gradebook_write(const Table *table, const ClassSettings *settings, void *context) {
     const GradebookSettings *wanted = context;
     Book book;
@@ -51,10 +60,11 @@ bool gradebook_write(const Table *table, const ClassSettings *settings, void *co
                     export_write(&book, settings->output, wanted->exports, wanted->no_points) &&
                     (!wanted->anonymous ||
                      anonymous_write(&book, settings->output, wanted->anonymous, wanted->no_points));
+    const bool compared = !ok || !wanted->copies || find_copies(table, settings);
     if (!settings->only) {
         say_list(&book);
         say_stale(&book);
     }
     book_close(&book);
-    return ok;
+    return ok && compared;
 }

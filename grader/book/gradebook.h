@@ -9,6 +9,7 @@ typedef struct GradebookSettings {
     BookFiles files;
     bool exports[EXPORT_KINDS];
     const char *anonymous; // the file of pseudonyms; NULL: no anonymous pages
+    bool copies;           // compare the code of all hand-ins
     bool no_points;        // on pages that are given away
 } GradebookSettings;
 

@@ -1,3 +1,4 @@
+// Finds the columns, reads each row, and refuses what stands there twice.
 #include "book/overrides.h"
 
 #include "base/option_values.h"
@@ -88,6 +89,7 @@ static bool are_once(const Overrides *overrides) {
     for (int i = 0; i < overrides->count; i++)
         for (int j = 0; j < i; j++) {
             const Override *a = &overrides->list[j], *b = &overrides->list[i];
+            INVARIANT(a->student && b->student && a->check && b->check); // read_row has set them
             const bool both = (a->points >= 0 && b->points >= 0) || (a->late_days >= 0 && b->late_days >= 0);
             if (both && strcmp(a->lab, b->lab) == 0 && strcasecmp(a->student, b->student) == 0 &&
                 strcasecmp(a->check, b->check) == 0)
@@ -104,7 +106,7 @@ bool overrides_read(Overrides *overrides, const char *path) {
     bool ok = csv_read(&overrides->csv, path) && find_columns(&columns, &overrides->csv);
     overrides->list = calloc((size_t)overrides->csv.count + 1, sizeof *overrides->list);
     INVARIANT(overrides->list);
-    for (int row = 0; ok && row < overrides->csv.count; row++)
+    for (int row = 0; ok && overrides->list && row < overrides->csv.count; row++)
         ok = read_row(overrides, row, &columns);
     if (ok && are_once(overrides))
         return true;

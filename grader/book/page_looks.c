@@ -1,3 +1,4 @@
+// Writes who needs a look, who handed in nothing, and what was ignored.
 #include "book/page_parts.h"
 
 #include <stdio.h>

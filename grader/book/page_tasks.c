@@ -30,11 +30,11 @@ static void write_item(ClassPage *page, const SummaryItem *item, bool named) {
 
 static void write_hardest(ClassPage *page) {
     const Summary *summary = &page->summary;
-    const SummaryItem **order = calloc((size_t)summary->task_count + 1, sizeof *order);
+    const SummaryItem **order = calloc((size_t)summary->task_count + 1, sizeof(const SummaryItem *));
     INVARIANT(order);
     for (int t = 0; t < summary->task_count; t++)
         order[t] = &summary->tasks[t];
-    qsort(order, (size_t)summary->task_count, sizeof *order, by_share);
+    qsort(order, (size_t)summary->task_count, sizeof(const SummaryItem *), by_share);
     fputs("<h2>The hardest tasks</h2>\n", page->page.out);
     page_begin_table(&page->page, "The hardest tasks",
                      (const char *const[]){"lab", "task", "#have it", "#mean", "", NULL});

@@ -1,3 +1,4 @@
+// Reads the pseudonyms that are known, draws those that are missing, and writes the file again.
 #include "book/pseudonyms.h"
 
 #include "base/csv_write.h"

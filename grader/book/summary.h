@@ -36,6 +36,7 @@ typedef struct Summary {
     int mistake_count;
 } Summary;
 
+// Counts all of the book; summary_destroy frees it.
 void summary_make(Summary *summary, const Book *book);
 void summary_destroy(Summary *summary); // accepts a zeroed summary
 

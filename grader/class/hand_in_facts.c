@@ -1,3 +1,4 @@
+// Walks through what was handed in, and hashes names, sizes and bytes on the way.
 #include "class/hand_in_facts.h"
 
 #include "base/hash.h"

@@ -1,3 +1,4 @@
+// Tries the forms of learning systems one after the other on a name.
 #include "class/hand_in_name.h"
 
 #include "scene/check.h"

@@ -121,7 +121,7 @@ static void look_into(FolderWalk *outer, const char *folder, const char *above, 
     FolderWalk walk = *outer;
     walk.folder = folder;
     walk.depth = depth;
-    memcpy(walk.above, above, sizeof walk.above);
+    snprintf(walk.above, sizeof walk.above, "%s", above);
     if (!files_list(folder, look, &walk))
         walk.stopped = walk.stopped || is_ours(errno);
     outer->stopped = outer->stopped || walk.stopped;

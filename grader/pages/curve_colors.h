@@ -1,6 +1,6 @@
-// The colours of curves and points, in pictures and on pages. Told apart without red or green, too (Okabe,
-// Ito: Color Universal Design, 2008), and dark enough for white paper; who draws more than one also gives
-// each a shape or a dash of its own.
+// The colours of curves and points, in pictures and on pages. Told apart without red or green, too, and dark
+// enough for white paper (tests/c/test_curve_colors.c holds both); who draws more than one also gives each a
+// shape or a dash of its own.
 #pragma once
 
 enum { CURVE_COLORS = 10 };

@@ -23,7 +23,7 @@ typedef struct ChartCommand {
     char lab[3]; // "": all
     int scene_count, frames, without;
     MetricsSize size;
-    bool quick, compare;
+    bool quick, compare, list;
     char **compared; // two files
     bool trusted;    // no jail for the submission
     ContextKind context;
@@ -84,6 +84,7 @@ static const Option options[] = {
      option_text},
     {"without", 0, "N", "object N is left out of all scenes: does a verdict change?", AT(without),
      take_without},
+    {"list", 0, NULL, "print the scenes' names and how many objects each has", AT(list), option_flag},
     {"compare", 0, NULL, "compare two tables that build/chart has written", AT(compare), option_flag},
     {0}};
 #undef AT
@@ -231,6 +232,15 @@ static bool choose_jail(const ChartCommand *command, StudyPlan *plan, Jail *jail
     return jail_choose(jail, JAIL_NONE, false, "chart", &plan->artists.jail);
 }
 
+static int list(void) {
+    for (int i = 0; study_scene(i); i++) {
+        Scene scene;
+        study_scene(i)->make(&scene);
+        printf("%s\t%d\n", study_scene(i)->name, scene.object_count);
+    }
+    return 0;
+}
+
 static int compare(char **paths) {
     int unexplained;
     if (csv_compare(paths[0], paths[1], stdout, &unexplained))
@@ -246,6 +256,8 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, &command, count, arguments);
     if (command.compare)
         return compare(command.compared);
+    if (command.list)
+        return list();
     signal(SIGPIPE, SIG_IGN);
     char standard[FILES_PATH];
     places_build_path(standard, "study");

@@ -102,6 +102,8 @@ static const Option options[] = {
      AT(book.exports), export_take},
     {"anonymous", 0, "FILE", "OUT/anonymous/: the class under pseudonyms, which FILE keeps: keep it secret",
      AT(book.anonymous), option_text},
+    {"copies", 0, NULL, "OUT/copies.csv: pairs of hand-ins that have the same code", AT(book.copies),
+     option_flag},
     {"no-points", 0, NULL, "pages that --export and --anonymous make have no points", AT(book.no_points),
      option_flag},
     {"compare", 0, "OLD",
@@ -141,8 +143,8 @@ static bool check_class(GradeCommand *command, const Operands *operands) {
 }
 
 static bool has_book_options(const GradebookSettings *book) {
-    bool has =
-        book->files.roster || book->files.overrides || book->files.late || book->anonymous || book->no_points;
+    bool has = book->files.roster || book->files.overrides || book->files.late || book->anonymous ||
+               book->no_points || book->copies;
     for (int k = 0; k < EXPORT_KINDS; k++)
         has = has || book->exports[k];
     return has;
@@ -157,7 +159,7 @@ static bool check(void *settings, const Operands *operands) {
         return check_class(command, operands);
     if (has_book_options(&command->book))
         return check_fail(
-            "--roster, --overrides, --due, --export, --anonymous and --no-points go with --class");
+            "--roster, --overrides, --due, --export, --anonymous, --no-points and --copies go with --class");
     if (class->jobs || class->resume || class->gather || class->list || class->only)
         return check_fail("-j, --resume, --only, --gather and --list go with --class");
     command->submission = operands->texts[0];

@@ -62,7 +62,9 @@ static const Option options[] = {
     {"output", 0, "DIR", "writes stability.json, .html and the figures (default build/study)",
      offsetof(StabilityCommand, output), option_text},
     {"mistake", 0, "NN:NAME", "lab NN is drawn with a mistake of its mistakes.json", 0, take_mistake},
-    {"without", 0, "N", "object N is left out of all scenes: the rows that need it fail", 0, take_without},
+    {"without", 0, "N",
+     "object N is left out of all scenes: of the rows that have it, those that need it fail", 0,
+     take_without},
     {0}};
 
 static bool check(void *settings, const Operands *operands) {
@@ -124,6 +126,10 @@ static int run_rows(StabilityCommand *command, RowResult *results, int *failed) 
     for (int i = 0; i < command->row_count; i++)
         if (command->chosen[i]) {
             row_run(&results[count], command->rows[i], &command->labs);
+            if (command->labs.without && !lab_set_left_out(&command->labs)) {
+                findings_destroy(&results[count].findings);
+                continue; // no scene of the row has this object
+            }
             print_line(&results[count]);
             *failed += results[count++].status == ROW_FAIL;
         }

@@ -63,21 +63,13 @@ static double share_in(const Variant *variant, const Image *picture) {
 
 // Adds what the mistake has of the points of a variant, with the object and without it.
 static bool add_shares(double sums[2], Exam *exam, const Lacking *lacking, int c, int n, int m) {
+    const Variant *variant = &lacking->variants[n];
     const Image *whole = exam_mistake(exam, m, c, n);
-    if (!whole)
-        return false;
-    const double share = share_in(&exam->variants[c][n], whole);
     Image image = {0};
-    bool ok = true;
-    sums[0] += share;
-    if (lacking->is_one[n]) {
-        const Variant *variant = &lacking->variants[n];
-        ok = draw(exam->painters, (Solved){SOLVED_ALL, NULL}, &exam->rubric->mistakes[m], &variant->request,
-                  &image);
-        sums[1] += ok ? share_in(variant, &image) : 0;
-    } else {
-        sums[1] += share;
-    }
+    bool ok = whole && draw(exam->painters, (Solved){SOLVED_ALL, NULL}, &exam->rubric->mistakes[m],
+                            &variant->request, &image);
+    sums[0] += ok ? share_in(&exam->variants[c][n], whole) : 0;
+    sums[1] += ok ? share_in(variant, &image) : 0;
     image_destroy(&image);
     return ok;
 }
@@ -87,10 +79,13 @@ static bool try_mistakes(const Lacking *lacking, Exam *exam, int c, char why[POW
     bool ok = true;
     for (int m = 0; ok && !why[0] && m < exam->rubric->mistake_count; m++) {
         double sums[2] = {0};
+        int count = 0;
         for (int n = 0; ok && n < check->variants; n++)
-            ok = add_shares(sums, exam, lacking, c, n, m);
-        const bool passes = sums[0] >= SCORE_PASSED * check->variants,
-                   would = sums[1] >= SCORE_PASSED * check->variants;
+            if (lacking->is_one[n]) {
+                ok = add_shares(sums, exam, lacking, c, n, m);
+                count++;
+            }
+        const bool passes = sums[0] >= SCORE_PASSED * count, would = sums[1] >= SCORE_PASSED * count;
         if (ok && passes != would)
             snprintf(why, POWER_TEXT, "check \"%s\" would %s \"%s\"", check->name, would ? "pass" : "fail",
                      exam->rubric->mistakes[m].name);

@@ -1,7 +1,7 @@
 // What a scene's objects are worth to the rubric: which mistakes would other checks see if one were not
 // there? An object is needed when, without it in the scene's variants of a check,
 // - the grader would not ask one of these variants any more (exam_acceptable), or
-// - a known mistake that fails the check would pass it, or the other way round.
+// - a known mistake that fails in them would pass, or the other way round, as if the check had no others.
 // Pixels that merely change (scene_needs.h) are no reason by themselves: more boxes would change more of
 // them.
 #pragma once

@@ -28,7 +28,7 @@ ${paragraphs(answer)}
 </details>
 `;
   const question = /(<h2 id="a-question">[^]*?)(?=<h2 |$)/;
-  if (!question.test(html)) throw new Error(`${file}: its handout has no "## A question"`);
+  if (!question.test(html)) throw new Error(`${file}: its handout has no "## A question"; write one, or remove the file`);
   return html.replace(question, (whole) => whole + folded);
 }
 

@@ -61,6 +61,15 @@ LabArtist *lab_set_artist(LabSet *labs, const char *lab, const Change *change) {
     return artist && lab_artist_change(artist, change) ? artist : NULL;
 }
 
+bool lab_set_left_out(LabSet *labs) {
+    bool any = false;
+    for (int i = 0; i < labs->count; i++) {
+        any = any || labs->artists[i].left_out;
+        labs->artists[i].left_out = false;
+    }
+    return any;
+}
+
 void lab_set_close(LabSet *labs) {
     for (int i = 0; i < labs->count; i++)
         lab_artist_close(&labs->artists[i]);

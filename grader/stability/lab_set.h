@@ -28,4 +28,7 @@ typedef struct LabSet {
 // the next call for this lab changes them.
 LabArtist *lab_set_artist(LabSet *labs, const char *lab, const Change *change);
 
+// Was an object left out of any scene since the last call?
+bool lab_set_left_out(LabSet *labs);
+
 void lab_set_close(LabSet *labs); // accepts a zeroed bench

@@ -26,7 +26,8 @@ typedef struct Findings {
     Reel reel;                   // all
 } Findings;
 
-// Texts for people; `expected` says what comes out and why.
+// Texts for people; `expected` says what comes out and why. A curve whose name begins with "failure" and that
+// is to equal something must be expected to differ from 0 somewhere, or the row fails.
 typedef struct Row {
     int number; // no other row has it; those of a new lab NN are NN01, NN02, ...: 100 * LAB_NUMBER + 1
     const char *name, *method, *sweep, *expected, *source;

@@ -196,21 +196,21 @@ char *suite_html(const RowResult *results, int count, const char *folder) {
         return NULL;
     for (int i = 0; i < count; i++)
         of_status[results[i].status]++;
-    fprintf(
-        page.out,
-        "<p>Each row sweeps one method over what breaks it. The labs' solutions draw; dashed is what "
-        "must come out, the "
-        "band around it is the tolerance. A known failure must show and its remedy must hold, or the row "
-        "fails.</p>\n"
-        "<p>%d rows pass, %d fail, %d are about methods that no lab has yet.</p>\n<p>Frames show the "
-        "method, the "
-        "ray-traced truth and the error: yellow is false light, blue false shadow, black does not "
-        "count.</p>\n"
-        "<style>figure img { image-rendering: auto; } "
-        "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
-        "image-rendering: pixelated; } .reel label { display: flex; gap: 0.5rem; } .reel input { flex: 1; "
-        "max-width: 40rem; } .state { white-space: nowrap; }</style>\n",
-        of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);
+    fprintf(page.out,
+            "<p>Each row sweeps one method over what breaks it. The labs' solutions draw; dashed is what "
+            "must come out, the "
+            "band around it is the tolerance. A known failure must show and its remedy must hold, or the row "
+            "fails.</p>\n"
+            "<p>%d rows pass, %d fail, %d are about methods that no lab has yet.</p>\n<p>Frames show the "
+            "method, the "
+            "ray-traced truth and the error: yellow is false light, blue false shadow, black does not "
+            "count.</p>\n"
+            "<style>figure img { image-rendering: auto; } "
+            "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
+            "image-rendering: pixelated; } .reel label { display: flex; flex-wrap: wrap; gap: 0.5rem; } "
+            ".reel input { flex: 1; min-width: 0; "
+            "max-width: 40rem; } .state { white-space: nowrap; }</style>\n",
+            of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);
     write_summary(&page, results, count);
     bool ok = true;
     for (int i = 0; ok && i < count; i++)

@@ -78,10 +78,11 @@ bool lab_artist_change(LabArtist *artist, const Change *change) {
     return painter != NULL;
 }
 
-void lab_artist_leave_out(const LabArtist *artist, Scene *scene) {
+void lab_artist_leave_out(LabArtist *artist, Scene *scene) {
     static const float POINT = 1e-4f; // world units: less than a pixel and a texel
     if (artist->without < 1 || artist->without > scene->object_count)
         return;
+    artist->left_out = true;
     mat4s *world = &scene->objects[artist->without - 1].world_from_object;
     for (int axis = 0; axis < 3; axis++) {
         const vec3s unit = glms_vec3_normalize(glms_vec3(world->col[axis]));

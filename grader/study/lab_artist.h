@@ -13,6 +13,7 @@ typedef struct LabArtist {
     Description table;      // ours: of the lab, once lab_artist_pass_kinds asked for it
     char renderer[128];     // as the last frame's Reply has it
     int without;            // 1 + the number of an object that is left out of all scenes; 0: none
+    bool left_out;          // a scene had it
 } LabArtist;
 
 // The solution of lab `id` ("05"), for frames that are few and small. False with a message.
@@ -38,7 +39,7 @@ bool lab_artist_change(LabArtist *artist, const Change *change);
 
 // Leaves the artist's object out of a scene that has it: it shrinks to a point where it stands, so that the
 // numbers of the others stay.
-void lab_artist_leave_out(const LabArtist *artist, Scene *scene);
+void lab_artist_leave_out(LabArtist *artist, Scene *scene);
 
 // Draws; true when the picture is there. False with a message when the lab or its process failed.
 bool lab_artist_draw(LabArtist *artist, const Request *asked, Image *image, Reply *reply);

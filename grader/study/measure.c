@@ -177,8 +177,9 @@ static void list_methods(const StudyPlan *plan, const StudyScene *scene, SceneFi
     static MethodList list;
     study_add_methods(&list, scene);
     *findings = (SceneFindings){.scene = scene};
-    // A processor's rays do not stand beside a GPU's times, and the truth of dust takes none.
-    if (plan->artists.context != CONTEXT_EGL && scene->query.kind != TRUTH_DUST)
+    // A processor's rays do not stand beside a GPU's times, the truth of dust takes none, and they are never
+    // chosen, which is what is asked without an object.
+    if (plan->artists.context != CONTEXT_EGL && scene->query.kind != TRUTH_DUST && !plan->artists.without)
         rays_add_methods(&list);
     for (int i = 0; i < list.count; i++)
         findings->findings[findings->count++].method = list.methods[i];

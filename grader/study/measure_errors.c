@@ -61,8 +61,8 @@ static bool draw_rays(StudyPlan *plan, const StudyView *view, const StudyScene *
 static bool measure_motion(const StudyView *view, const StudyScene *scene, LabArtist *artist,
                            const Method *method, MeasuredErrors *errors) {
     double beyond[MOTION_KINDS] = {0};
-    bool ok =
-        !scene->moves || method->rays || motion_measure(&view->motion, artist, &method->setting, beyond);
+    bool ok = !scene->moves || method->rays || artist->without ||
+              motion_measure(&view->motion, artist, &method->setting, beyond);
     errors->turning = beyond[MOTION_LIGHT];
     errors->moving = beyond[MOTION_CAMERA];
     return ok;

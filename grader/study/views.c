@@ -130,7 +130,7 @@ bool view_create(StudyView *view, const StudyScene *scene, int number, MetricsSi
     bool ok = truth_view_create(&view->truth_view, made, size, &centers, artist) &&
               trace(&view->truth_view, scene, folder) &&
               flip_create_grey(&view->flip, size, view->truth_view.visibility) &&
-              (!scene->moves || motion_create(&view->motion, scene, made, size, artist));
+              (!scene->moves || artist->without || motion_create(&view->motion, scene, made, size, artist));
     free(made);
     return ok;
 }

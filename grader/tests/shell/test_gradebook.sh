@@ -181,6 +181,22 @@ gather --export canvas --no-points
 expect "pages of an older grader" 3 "was made by an older grader"
 grades --class "$class" --output "$output" --only "Ann Lee_101_assignsubmission_file_"
 
+# Copies: found with other names, comments and layout; the skeleton's code and that of other people is none.
+mkdir -p "$work/pairs"/{one,two,other,skeleton,empty}
+cp -r solutions/03-shadow-map "$work/pairs/one" && cp -r labs/03-shadow-map "$work/pairs/skeleton"
+cp -r solutions/03-shadow-map "$work/pairs/two" && cp -r labs/03-shadow-map "$work/pairs/other"
+rm -f "$work"/pairs/*/*/{scenes,study,rows,witness}*.[ch]
+sed -i -E 's/\<(frame|pass|light|bias|visibility|depth|lit)\>/my_\1/g; s/^( *)([a-z])/\1 \1\2/; s/;$/; \/\/ mine/' "$work"/pairs/two/03-shadow-map/{lab.c,shadow.frag}
+python3 - "$work/pairs/other/03-shadow-map/shadow.frag" <<'PYTHON'
+import sys
+with open(sys.argv[1], "a") as file:
+    file.write("float f(float x) {\n" + "".join(f"    x = x * {i}.5 + sqrt(x - {i * i}.25) / {i + 3}.0;\n" for i in range(20)) + "    return x;\n}\n")
+PYTHON
+grades --class "$work/pairs" --output "$work/pairs-out" --lab 03 --only empty --copies
+expect "copies" 0 "1 pairs of hand-ins have code in common"
+is "the pair" "$(cat "$work/pairs-out/copies.csv")" 'lab,percent,equal,first,second
+03,100,equal,"one","two"'
+
 # Two outputs side by side.
 cp -r "$output" "$work/newer"
 python3 - "$work/newer" <<'PYTHON'

@@ -49,8 +49,8 @@ status=0; out=$(grader/scripts/showcase "$made" nowhere 2>&1) || status=$?
 expect "no such folder" 2 "nowhere is not a folder"
 
 # The report as a page: of what failed, too; nothing is left of one that could not be made.
-report() { status=0; out=$(DISPLAY= WAYLAND_DISPLAY= grader/scripts/report_page "$made" "$@" 2>&1) || status=$?; }
-report 3 "$labs" --seed 1 --trusted
+report() { status=0; out=$(ARGS="--seed 1 --trusted" DISPLAY= WAYLAND_DISPLAY= grader/scripts/report_page "$made" "$@" 2>&1) || status=$?; }
+report 3 "$labs"
 expect "a report" 0 "report: $made/report-03.html"
 grep -q "</html>" "$made/report-03.html" && grep -q "data-compare" "$made/report-03.html" && ok || bad "the report is whole, with pictures"
 report 3 "$work/nowhere"
