@@ -7,11 +7,11 @@ ALL_CFLAGS = -std=c11 -Wall -Wextra -Wpedantic -Werror $(CFLAGS) $(SANITIZE) -fn
 	-Icommon -Igrader -isystem $(BUILD)/include $(shell pkg-config --cflags $(PACKAGES)) -MMD -MP
 
 # Rooms that need a package of their own are left out where it is missing: the truth (Embree) and what stands on it, the window (GLFW).
-EMBREE := $(wildcard $(addsuffix /include/embree3/rtcore.h,/usr /usr/local /opt/homebrew))
+EMBREE := $(firstword $(foreach name,embree4 embree3,$(if $(wildcard $(addsuffix /include/$(name)/rtcore.h,/usr /usr/local /opt/homebrew)),$(name))))
 GLFW := $(shell pkg-config --exists glfw3 && echo glfw3)
 ON_TRUTH := truth study stability
 ROOMS := $(filter-out programs tests $(if $(EMBREE),,$(ON_TRUTH)) $(if $(GLFW),,window),$(notdir $(patsubst %/,%,$(wildcard grader/*/))))
-LIBS = $(shell pkg-config --libs $(PACKAGES) $(GLFW)) $(if $(EMBREE),-lembree3) -lpthread -lm -ldl
+LIBS = $(shell pkg-config --libs $(PACKAGES) $(GLFW)) $(EMBREE:%=-l%) -lpthread -lm -ldl
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)

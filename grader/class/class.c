@@ -101,7 +101,8 @@ static bool choose(const Class *class, int *jobs, int *count) {
             return false;
     }
     if (!settings->only)
-        *count = regrade_choose(jobs, settings->output, &class->roster, &class->plan, &class->origin);
+        *count = regrade_choose(jobs, settings->output, &class->roster, &class->plan, &class->origin,
+                                !settings->list);
     return true;
 }
 
@@ -146,9 +147,28 @@ static bool grade_all(Class *class) {
     return ok;
 }
 
-static void print_list(const Roster *roster) {
-    for (int i = 0; i < roster->count; i++)
-        puts(roster->entries[i].file);
+// Is there a run in OUT, to go on with?
+static bool has_begun(const ClassSettings *settings) {
+    char path[FILES_PATH];
+    if (settings->resume)
+        files_join(path, settings->output, "class.json");
+    return settings->resume && files_exists(path);
+}
+
+// All names, or with --resume those that it would grade.
+static bool print_list(Class *class) {
+    const Roster *roster = &class->roster;
+    int *jobs = calloc((size_t)roster->count + 1, sizeof *jobs), count = roster->count;
+    INVARIANT(jobs);
+    for (int i = 0; i < count; i++)
+        jobs[i] = i;
+    const bool ok = !has_begun(class->settings) ||
+                    (run_settings_open(&class->plan, class->settings) &&
+                     origin_read(&class->origin, &class->plan) && choose(class, jobs, &count));
+    for (int i = 0; ok && i < count; i++)
+        puts(roster->entries[jobs[i]].file);
+    free(jobs);
+    return ok;
 }
 
 static void note_ignored(const Roster *roster) {
@@ -214,16 +234,14 @@ bool class_run(const ClassSettings *settings, ClassTables make_tables, void *con
     class.make_tables = make_tables;
     class.context = context;
     class.plan.lock = -1;
-    bool ok = roster_read(&class.roster, settings->folder, settings->output, settings->all_attempts);
-    if (ok && settings->list) {
-        print_list(&class.roster);
-    } else if (ok && grade_class(&class)) {
+    bool ok = roster_read(&class.roster, settings->folder, settings->output, settings->all_attempts) &&
+              (settings->list ? print_list(&class) : grade_class(&class));
+    if (!ok) {
+        fprintf(stderr, "grade: %s\n", check_message());
+    } else if (!settings->list) {
         note_ignored(&class.roster);
         say_end(&class);
         ok = class.not_graded == 0;
-    } else {
-        fprintf(stderr, "grade: %s\n", check_message());
-        ok = false;
     }
     run_settings_close(&class.plan);
     roster_destroy(&class.roster);

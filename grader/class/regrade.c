@@ -36,7 +36,7 @@ static void say(const Reasons *reasons, const char *output) {
 }
 
 int regrade_choose(int *numbers, const char *output, const Roster *roster, const RunSettings *plan,
-                   const Origin *origin) {
+                   const Origin *origin, bool aloud) {
     Reasons reasons = {.count = 0};
     char why[ORIGIN_TEXT];
     int count = 0;
@@ -54,6 +54,7 @@ int regrade_choose(int *numbers, const char *output, const Roster *roster, const
             numbers[count++] = i;
         json_decref(record);
     }
-    say(&reasons, output);
+    if (aloud)
+        say(&reasons, output);
     return count;
 }

@@ -3,6 +3,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "exam/handed_out.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -121,7 +122,8 @@ bool run_settings_open(RunSettings *plan, const ClassSettings *settings) {
     } else if (!from_file(plan, path) || !agrees(plan, settings)) {
         return false;
     }
-    return from_file(plan, path) && (settings->gather || take_lock(plan, path, !settings->only));
+    return from_file(plan, path) &&
+           (settings->gather || settings->list || take_lock(plan, path, !settings->only));
 }
 
 void run_settings_close(RunSettings *plan) {
@@ -137,7 +139,10 @@ bool run_settings_session(const RunSettings *plan, const Jail *jail, Session *se
                                      .seed = plan->seed,
                                      .jail = jail,
                                      .no_swap = plan->no_swap,
+                                     .hidden = !handed_out_alone(),
                                      .evidence = true},
+                         .attempts = !handed_out_alone(),
+                         .secret = plan->seed,
                          .keep = true,
                          .complete = true};
     for (int i = 0; i < plan->lab_count; i++)

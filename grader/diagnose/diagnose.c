@@ -193,9 +193,11 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
 // Of the first failed check that can tell: was it right if it were the first frame?
 static void look_at_first_frame(Diagnosis *this, const WorkerClient *student) {
     LabResult *result = this->result;
+    int order[EXAM_MAX_VARIANTS];
+    exam_order(this->exam, 0, order);
     for (int c = 0; c < result->check_count; c++) {
         const CheckResult *check = &result->checks[c];
-        const bool is_first = c == 0 && check->worst == 0;
+        const bool is_first = c == 0 && check->worst == order[0];
         if (!this->failed[c] || !check->yours[check->worst].rgba || is_first)
             continue;
         result->first_only = first_frame_is_right(check, this->exam, c, student);

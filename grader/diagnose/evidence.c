@@ -5,7 +5,7 @@
 
 #include <string.h>
 
-enum { CROP = 48, ENLARGED = 4 };
+enum { CROP = 48, ENLARGED = 4, SHRUNK = 3 };
 
 // The upper left corner of the CROP x CROP part with the most wrong pixels.
 static void find_crop(const Image *yours, const Image *reference, int *left, int *top) {
@@ -41,22 +41,41 @@ static bool make_crop(Image *crop, const Image *const parts[3]) {
     return true;
 }
 
-static bool attach(CheckResult *check, const Image *yours, const Image *reference) {
+// A third of each side, each pixel the mean of nine: enough to see what is wrong, too little to be handed in.
+static bool shrink(Image *image) {
+    Image small = {0};
+    if (!image_create(&small, image->width / SHRUNK, image->height / SHRUNK))
+        return false;
+    for (size_t at = 0; at < image_bytes(&small); at++) {
+        const int x = (int)(at / 4) % small.width, y = (int)(at / 4) / small.width;
+        int sum = 0;
+        for (int i = 0; i < SHRUNK * SHRUNK; i++)
+            sum += image->rgba[image_at(image, SHRUNK * x + i % SHRUNK, SHRUNK * y + i / SHRUNK) + at % 4];
+        small.rgba[at] = (uint8_t)(sum / (SHRUNK * SHRUNK));
+    }
+    image_destroy(image);
+    *image = small;
+    return true;
+}
+
+static bool attach(CheckResult *check, const Image *yours, const Image *reference, bool hidden) {
     Image *parts = check->evidence;
     if (!image_copy(&parts[EVIDENCE_YOURS], yours) || !image_copy(&parts[EVIDENCE_REFERENCE], reference) ||
         !image_copy(&parts[EVIDENCE_DIFFERENCE], yours))
         return false;
     check->difference = difference_mark(&parts[EVIDENCE_DIFFERENCE], yours, reference);
-    return make_crop(&parts[EVIDENCE_CROP], (const Image *const[3]){&parts[0], &parts[1], &parts[2]});
+    return make_crop(&parts[EVIDENCE_CROP], (const Image *const[3]){&parts[0], &parts[1], &parts[2]}) &&
+           (!hidden || (shrink(&parts[EVIDENCE_YOURS]) && shrink(&parts[EVIDENCE_REFERENCE]) &&
+                        shrink(&parts[EVIDENCE_DIFFERENCE])));
 }
 
-bool evidence_attach(LabResult *result, const Exam *exam) {
+bool evidence_attach(LabResult *result, const Exam *exam, bool hidden) {
     bool ok = true;
     for (int c = 0; ok && c < result->check_count; c++) {
         CheckResult *check = &result->checks[c];
         const Image *yours = &check->yours[check->worst];
         if (!check->passed && yours->rgba)
-            ok = attach(check, yours, &exam->variants[c][check->worst].reference);
+            ok = attach(check, yours, &exam->variants[c][check->worst].reference, hidden);
     }
     return ok;
 }

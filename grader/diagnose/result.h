@@ -83,6 +83,7 @@ typedef struct LabResult {
 
 typedef struct Report {
     uint64_t seed;
+    bool hidden; // the seed is no business of who handed it in
     const char *context;
     const char *jail; // the route: "bwrap", "landlock" or "none"
     char renderer[128];

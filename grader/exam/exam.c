@@ -77,7 +77,8 @@ static bool create_check(Exam *exam, int c, const Trio *trio) {
         ok = draw_request(&draw, &variant->request, check, n) && draw_variant(variant, trio, exam->renderer);
         n += ok && exam_acceptable(exam->variants[c], n);
     }
-    if (ok && n < check->variants)
+    exam->scarce = ok && n < check->variants;
+    if (exam->scarce)
         return check_fail(
             "lab %s, check \"%s\": seed %llu gives only %d of %d variants in which the task shows; "
             "try another seed or fix the rubric",
@@ -131,6 +132,17 @@ bool exam_create(Exam *exam, const Rubric *rubric, Painters *painters, uint64_t 
         }
     }
     return true;
+}
+
+void exam_order(const Exam *exam, int c, int order[EXAM_MAX_VARIANTS]) {
+    Random random = {~exam->seed ^ (uint64_t)c << 32};
+    for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
+        order[n] = n;
+    for (int n = exam->rubric->checks[c].variants - 1; n > 0; n--) {
+        const int other = random_int(&random, 0, n), last = order[n];
+        order[n] = order[other];
+        order[other] = last;
+    }
 }
 
 const Image *exam_shown(const LatePicture *late, const Variant *variant) {

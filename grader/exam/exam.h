@@ -33,6 +33,7 @@ typedef struct Exam {
     const Rubric *rubric;
     Painters *painters; // draws what is asked for later; NULL when everything was recorded
     uint64_t seed;
+    bool scarce; // after exam_create has failed: the seed gives too few variants, and another may do
     Variant variants[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]; // which of the drawn variants each one is, from 0
     char renderer[128];
@@ -58,6 +59,11 @@ void exam_destroy(Exam *exam); // accepts a zeroed exam
 // The same requests as exam_create makes, from its `tries`, but no pictures. False with a message.
 bool exam_restore(Exam *exam, const Rubric *rubric, uint64_t seed,
                   int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]);
+
+// In which order the variants of check c are asked for: drawn from the seed, so that the number of a frame
+// tells nothing of what is in it. (Checks keep their order: whose time is over has the points of the first
+// tasks.)
+void exam_order(const Exam *exam, int c, int order[EXAM_MAX_VARIANTS]);
 
 // The picture of mistake m in variant n of check c; NULL with a message when our own worker fails. Valid
 // while the exam is.

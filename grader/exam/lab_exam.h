@@ -13,6 +13,7 @@ typedef struct GradeOptions {
     double patience; // see worker_client.h
     uint64_t seed;
     const Jail *jail; // NULL: their author grades them, outside
+    bool hidden;      // who handed it in must not get the variants: see grade/hidden.h
     bool untimed;     // do not compare times with the solution's
     bool no_swap;     // do not exchange parts of the submission to find the fault
     void (*early)(const struct LabResult *result,
@@ -24,15 +25,17 @@ typedef struct GradeOptions {
 typedef struct LabExam {
     Rubric rubric;
     Painters painters;
-    Exam *exam;   // NULL until it is first needed
-    bool control; // the solution has come out of the jail as it must: see grade/control.h
+    Exam *exam;    // NULL until it is first needed
+    uint64_t seed; // that it was asked for
+    bool control;  // the solution has come out of the jail as it must: see grade/control.h
 } LabExam;
 
 // Reads the rubric of the lab "03". False with a message.
 bool lab_exam_open(LabExam *examiner, const char *id);
 
-// The exam of the options' seed; drawn the first time, or read where there are no solutions. Ours until
-// lab_exam_forget or lab_exam_close. NULL with a message.
+// The exam of the options' seed; drawn the first time, or read where there are no solutions. A hidden seed
+// that gives too few variants stands for another one, made from it. Ours until one of another seed is asked
+// for, or until lab_exam_forget or lab_exam_close. NULL with a message.
 Exam *lab_exam_exam(LabExam *examiner, const GradeOptions *options);
 
 // Stops what draws the exam until a picture is wanted that it has not got: it holds some 200 MiB a lab.

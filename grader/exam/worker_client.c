@@ -197,6 +197,15 @@ static DrawResult explain_fault(WorkerClient *client, void *payload, size_t size
     return DRAW_FAULT;
 }
 
+// Of a muted lab only its pixels are taken, and what we see of its end.
+static void hush(WorkerClient *client, Reply *reply) {
+    client->hushed = client->hushed || reply->message[0] || reply->remarks[0] || !reply->drawn;
+    reply->remarks[0] = '\0';
+    snprintf(reply->message, sizeof reply->message, "%s", reply->drawn ? "" : "it draws nothing");
+    if (reply->magic == PROTOCOL_CRASHED)
+        reply->magic = 0;
+}
+
 // The reply and exactly `size` bytes of payload; zeroes when they do not come.
 static DrawResult exchange(WorkerClient *client, const Request *request, void *payload, size_t size,
                            Reply *reply) {
@@ -212,6 +221,8 @@ static DrawResult exchange(WorkerClient *client, const Request *request, void *p
     clean_reply(reply);
     if (!ok && process->state == PROCESS_DEAF)
         return explain_fault(client, payload, size, reply);
+    if (client->muted)
+        hush(client, reply);
     if (!ok) {
         memset(payload, 0, size);
         note_crash(client, request);
@@ -222,7 +233,7 @@ static DrawResult exchange(WorkerClient *client, const Request *request, void *p
                  "it wrote something else than a frame to descriptor 3");
         return DRAW_LOST;
     }
-    if (reply->message[0])
+    if (reply->message[0] && !client->muted)
         append_place(client, request, reply);
     return reply->drawn ? DRAW_OK : DRAW_FAILED;
 }

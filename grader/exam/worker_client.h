@@ -31,6 +31,8 @@ typedef struct WorkerClient {
     double patience;     // wall time that it may use, in units of that; 0: 1
     bool each_turn; // `seconds` is wall time and starts again with worker_client_begin, whoever draws: for a
                     // window
+    bool muted;     // what the lab says does not come into replies: see grade/hidden.h
+    bool hushed;    // ... and it has said something, or was lost
     bool address;   // lab.so is compiled with AddressSanitizer, which says on standard error what it finds
     bool started;
     bool greeted;        // it has said that it is ready

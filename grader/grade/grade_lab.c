@@ -4,6 +4,7 @@
 
 #include "grade/address.h"
 #include "grade/control.h"
+#include "grade/hidden.h"
 #include "scene/check.h"
 #include "base/statistics.h"
 #include "diagnose/diagnose.h"
@@ -21,21 +22,6 @@ typedef struct Ratios {
     double values[RUBRIC_MAX_CHECKS];
     int count;
 } Ratios;
-
-// What the lab prints, for who debugs in this way; the first lines are enough.
-static void note_output(LabResult *result, const char *printed) {
-    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
-    char text[MAX_TEXT + 64] = "it printed:";
-    const char *end = printed;
-    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
-        end += strcspn(end, "\n");
-        end += *end == '\n';
-    }
-    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
-    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
-    if (length > 0)
-        grade_warn(result, text);
-}
 
 // Draws one frame of the student's.
 static DrawResult draw_one(LabResult *result, WorkerClient *student, const Variant *variant,
@@ -73,7 +59,10 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
     static Reply reply;
     CheckResult *check = &result->checks[c];
     DrawResult drawn = DRAW_OK;
-    for (int n = 0; (drawn == DRAW_OK || drawn == DRAW_FAILED) && n < check->check->variants; n++) {
+    int order[EXAM_MAX_VARIANTS];
+    exam_order(exam, c, order);
+    for (int i = 0; (drawn == DRAW_OK || drawn == DRAW_FAILED) && i < check->check->variants; i++) {
+        const int n = order[i];
         drawn = draw_one(result, student, &exam->variants[c][n], check, n, &reply, remarks);
         if (drawn == DRAW_OK)
             *milliseconds = exam_milliseconds(&reply);
@@ -83,7 +72,8 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
     if (drawn == DRAW_FAULT)
         return false;
     lose_check(check, drawn, reply.message);
-    note_output(result, student->process.text);
+    if (!student->muted)
+        grade_quote(result, student->process.text);
     return worker_client_restart(student);
 }
 
@@ -92,7 +82,9 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
 static float solution_milliseconds(Exam *exam, int c) {
     static Reply reply;
     Image again = {0};
-    const Variant *variant = &exam->variants[c][exam->rubric->checks[c].variants - 1];
+    int order[EXAM_MAX_VARIANTS];
+    exam_order(exam, c, order);
+    const Variant *variant = &exam->variants[c][order[exam->rubric->checks[c].variants - 1]];
     const Painter *solution =
         exam->milliseconds[c] > 0 ? NULL : painters_get(exam->painters, (Solved){SOLVED_ALL, NULL}, NULL);
     bool ok = solution != NULL;
@@ -183,12 +175,16 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
         return check_fail("%s", check_message()[0] ? check_message() : result->message);
     if (!is_to_blame(result, examiner, exam, student))
         return false;
-    note_output(result, student->process.text);
-    address_explain(result, student, exam->rubric);
+    if (!student->muted) {
+        grade_quote(result, student->process.text);
+        address_explain(result, student, exam->rubric);
+    } else if (!hidden_rehearse(result, student, exam->rubric)) {
+        return false;
+    }
     if (options->early && !result_done(result))
         options->early(result, options->early_context);
     return diagnose(result, exam, student, options->no_swap ? FAULT_BY_RESET : FAULT_BY_SWAP) &&
-           (!options->evidence || evidence_attach(result, exam));
+           (!options->evidence || evidence_attach(result, exam, options->hidden));
 }
 
 bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, const GradeOptions *options) {
@@ -197,6 +193,7 @@ bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, con
                              .jail = options->jail,
                              .context = options->context,
                              .quick_shaders = true,
+                             .muted = options->hidden,
                              .seconds = options->seconds,
                              .patience = options->patience};
     grade_begin(result, &examiner->rubric);

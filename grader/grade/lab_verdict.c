@@ -33,3 +33,17 @@ void grade_fail(LabResult *result, LabStatus status, const char *message) {
 void grade_refuse(LabResult *result, const char *reason) {
     grade_fail(result, LAB_ERROR, reason);
 }
+
+void grade_quote(LabResult *result, const char *printed) {
+    enum { MAX_LINES = 12, MAX_TEXT = 1000 };
+    char text[MAX_TEXT + 64] = "it printed:";
+    const char *end = printed;
+    for (int line = 0; *end && line < MAX_LINES && end - printed < MAX_TEXT; line++) {
+        end += strcspn(end, "\n");
+        end += *end == '\n';
+    }
+    const int length = end - printed < MAX_TEXT ? (int)(end - printed) : MAX_TEXT;
+    check_append(text, sizeof text, "\n%.*s%s", length, printed, printed[length] ? "..." : "");
+    if (length > 0)
+        grade_warn(result, text);
+}

@@ -13,5 +13,8 @@ void grade_refuse(LabResult *result, const char *reason);
 // The lab failed so; what was said of it first stays.
 void grade_fail(LabResult *result, LabStatus status, const char *message);
 
+// What the lab printed, for who debugs in this way: a warning of its first lines.
+void grade_quote(LabResult *result, const char *printed);
+
 // One more warning for who handed it in, unless it is there already; "" is none.
 void grade_warn(LabResult *result, const char *text);

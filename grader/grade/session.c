@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "grade/attempt.h"
 #include "intake/submission.h"
 #include "grade/lab_verdict.h"
 
@@ -41,6 +42,7 @@ bool session_add(Session *session, const char *id) {
 static bool begin_report(Session *session, Report *report) {
     const Jail *jail = session->options.jail;
     *report = (Report){.seed = session->options.seed,
+                       .hidden = session->options.hidden,
                        .jail = jail_route_name(jail ? jail->route : JAIL_NONE),
                        .context = context_name(session->options.context),
                        .labs = calloc(COURSE_MAX_LABS, sizeof *report->labs)};
@@ -113,6 +115,9 @@ bool session_grade(Session *session, const char *path, Report *report) {
     if (!begin_report(session, report))
         return false;
     const Extracted opened = submission_open(&submission, session->options.jail, path);
+    if (session->attempts)
+        report->seed = session->options.seed =
+            attempt_seed(session->secret, &submission, session->examiners, session->lab_count);
     bool ok = opened == EXTRACT_OK ||
               (opened == EXTRACT_BAD_ARCHIVE && refuse_all(session, check_message(), report));
     for (int i = 0; opened == EXTRACT_OK && ok && i < session->lab_count; i++)

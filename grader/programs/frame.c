@@ -63,7 +63,7 @@ static const Option options[] = {
     {"job", 0, "DIR", "of it: write all that a worker needs to DIR, and draw nothing (no FILE)", AT(job),
      option_text},
     {"mistake", 0, "NAME", "the solution with a mistake of mistakes.json", AT(mistake), option_text},
-    {"context", 0, "C", "osmesa (default) or egl", AT(context), option_context},
+    {"context", 0, "C", "osmesa or egl (default: the first that is here)", AT(context), option_context},
     {0}};
 #undef AT
 
@@ -174,6 +174,10 @@ static bool draw(FrameCommand *command, const Rubric *rubric, const char *path) 
 int main(int count, char **arguments) {
     static FrameCommand command = {
         .seed = 1, .request = {.magic = PROTOCOL_MAGIC, .width = 480, .height = 360, .view = VIEW_PICTURE}};
+    if (!option_context_of_environment(&command.context, "frame")) {
+        command_line_complain(&command_line, check_message());
+        return 2;
+    }
     command_line_take(&command_line, &command, count, arguments);
     signal(SIGPIPE, SIG_IGN);
     char folder[FILES_PATH];

@@ -8,6 +8,7 @@
 #include "jail/jail_choose.h"
 #include "grade/progress.h"
 #include "exam/exam_file.h"
+#include "exam/handed_out.h"
 #include "report/evidence_files.h"
 #include "base/command_line.h"
 #include "base/option_values.h"
@@ -68,8 +69,8 @@ static bool take_only(void *target, const char *name) {
 static const Option options[] = {
     {"lab", 0, "NN", "only this lab; may be repeated", AT(class.labs), option_labs},
     {"seed", 0, "N", "the variants of an earlier run (default: drawn at random)", AT(class), take_seed},
-    {"context", 0, "C", "osmesa (default) or egl; also SHADOW_LAB_CONTEXT", AT(class.context),
-     option_context},
+    {"context", 0, "C", "osmesa or egl (default: the first that is here); also SHADOW_LAB_CONTEXT",
+     AT(class.context), option_context},
     {"format", 0, "F", "text (default), json, html, gradescope or check50", AT(format), take_format},
     {"output", 0, "DIR", "pictures of what failed: yours, reference, difference", AT(output), option_text},
     {"record", 0, NULL, "note the points in the progress (see progress.h)", AT(record), option_flag},
@@ -109,7 +110,8 @@ static const Option options[] = {
     {"compare", 0, "OLD",
      "who has other points in OUT NEW than in OLD, and by which checks; --output DIR: also\nDIR/changes.csv",
      AT(compare), option_text},
-    {"list", 0, NULL, "print the names of the results, one a line", AT(class.list), option_flag},
+    {"list", 0, NULL, "print the names of the results, one a line; with --resume: of what is not graded",
+     AT(class.list), option_flag},
     {0}};
 #undef AT
 
@@ -138,7 +140,7 @@ static bool check_class(GradeCommand *command, const Operands *operands) {
         return check_fail("a class is graded in the jail only: --trusted does not go with --class");
     if (operands->count > 0)
         return check_fail("with --class there is no SUBMISSION: \"%s\"", operands->texts[0]);
-    return (class->output || class->list || check_fail("--class needs --output OUT")) &&
+    return (class->output || (class->list && !class->resume) || check_fail("--class needs --output OUT")) &&
            is_folder(class->folder) && goes_with_tables(command) && book_check_files(&command->book.files);
 }
 
@@ -228,6 +230,12 @@ static void record(const Report *report, const Session *session, bool told) {
         fprintf(stderr, "grade: %s\n", progress.note);
 }
 
+// Pages and Gradescope's results go to students, who may not keep our pictures; where there are no solutions
+// the variants are nobody's secret.
+static bool is_for_others(ReportFormat format) {
+    return (format == REPORT_HTML || format == REPORT_GRADESCOPE) && !handed_out_alone();
+}
+
 static int grade_submission(const GradeCommand *command) {
     static Session session;
     static Jail jail;
@@ -238,6 +246,7 @@ static int grade_submission(const GradeCommand *command) {
                                      .seconds = settings->seconds,
                                      .seed = settings->seed,
                                      .no_swap = settings->no_swap,
+                                     .hidden = is_for_others(command->format),
                                      .evidence = command->output || command->format == REPORT_HTML ||
                                                  command->format == REPORT_GRADESCOPE};
     bool ok = jail_choose(&jail, settings->route, command->trusted, "grade", &session.options.jail);
@@ -277,7 +286,7 @@ static int grade(GradeCommand *command) {
 
 int main(int count, char **arguments) {
     static GradeCommand command = {.class.seconds = 20};
-    if (!option_context_of_environment(&command.class.context)) {
+    if (!option_context_of_environment(&command.class.context, "grade")) {
         command_line_complain(&command_line, check_message());
         return EXIT_USAGE;
     }

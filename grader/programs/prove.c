@@ -119,7 +119,8 @@ static bool take_seeds(void *target, const char *text) {
 static const Option options[] = {
     {"lab", 0, "NN", "only this lab; may be repeated", offsetof(ProveCommand, labs), option_labs},
     {"seeds", 0, "N", "so many, from seed 1 on (default 10)", offsetof(ProveCommand, seeds), take_seeds},
-    {"context", 0, "C", "osmesa (default) or egl", offsetof(ProveCommand, context), option_context},
+    {"context", 0, "C", "osmesa or egl (default: the first that is here)", offsetof(ProveCommand, context),
+     option_context},
     {0}};
 
 static const CommandLine command_line = {
@@ -132,6 +133,10 @@ static const CommandLine command_line = {
 
 int main(int count, char **arguments) {
     ProveCommand command = {.seeds = 10};
+    if (!option_context_of_environment(&command.context, "prove")) {
+        command_line_complain(&command_line, check_message());
+        return 2;
+    }
     command_line_take(&command_line, &command, count, arguments);
     Proof proof = {.seeds = command.seeds, .context = command.context};
     signal(SIGPIPE, SIG_IGN);

@@ -2,6 +2,7 @@
 // pixels.
 #include "window/view_options.h"
 #include "base/command_line.h"
+#include "base/option_values.h"
 #include "scene/check.h"
 #include "window/keys.h"
 #include "diagnose/result.h"
@@ -232,6 +233,10 @@ static bool run(void) {
 
 int main(int count, char **arguments) {
     view.options = (AppOptions){.seed = 1, .seconds = 10, .request = {.width = 800, .height = 600}};
+    if (!option_context_of_environment(&view.options.context, "view")) {
+        command_line_complain(&view_command_line, check_message());
+        return 2;
+    }
     command_line_take(&view_command_line, &view.options, count, arguments);
     signal(SIGPIPE, SIG_IGN);
     signal(SIGINT, on_signal);

@@ -42,8 +42,8 @@ static const Option options[] = {
     {"lab", 0, "NN", "begin with this lab (default: the first that is not done)", AT(lab), option_lab},
     {"seed", 0, "N", "of all gradings (default: drawn at the start, and kept)", AT(grading.seed),
      option_seed},
-    {"context", 0, "C", "osmesa (default) or egl; also SHADOW_LAB_CONTEXT", AT(grading.context),
-     option_context},
+    {"context", 0, "C", "osmesa or egl (default: the first that is here); also SHADOW_LAB_CONTEXT",
+     AT(grading.context), option_context},
     {"list", 0, NULL, "print how far all labs are, and end", AT(list), option_flag},
     {"answer", 0, NULL, "print what a lab that is done has to tell, and end", AT(answer), option_flag},
     {"begin-again", 0, NULL, "note that the lab is not done, and end", AT(begin_again), option_flag},
@@ -261,7 +261,7 @@ static bool begin(WatchCommand *command) {
     command->grading.seconds = 20;
     places_path(command->folder, "labs");
     return exam_file_draw_seed(&command->grading.seed) &&
-           option_context_of_environment(&command->grading.context);
+           option_context_of_environment(&command->grading.context, "watch");
 }
 
 int main(int count, char **arguments) {

@@ -48,7 +48,7 @@ static void write_key(Page *page, int color) {
 
 static void write_caption(Page *page, const CheckResult *check) {
     const Difference *wrong = &check->difference;
-    fprintf(page->out, "<figcaption>Of %zu pixels ", image_bytes(&check->evidence[EVIDENCE_YOURS]) / 4);
+    fprintf(page->out, "<figcaption>Of %zu pixels ", image_bytes(&check->yours[check->worst]) / 4);
     write_key(page, DIFFERENCE_BRIGHTER);
     fprintf(page->out, "%zu are too bright (yellow), ", wrong->brighter);
     write_key(page, DIFFERENCE_DARKER);
@@ -119,10 +119,11 @@ char *report_html(const Report *report, const char *name) {
     Page page;
     if (!page_begin(&page, name[0] ? name : "Shadow Lab"))
         return NULL;
-    fprintf(page.out,
-            "<p>" PAGE_POINTS "%.2f of %.0f points " PAGE_POINTS_END "<span class=\"quiet\">(seed %llu, %s",
-            result_score(report), result_max_score(report), (unsigned long long)report->seed,
-            report->context);
+    fprintf(page.out, "<p>" PAGE_POINTS "%.2f of %.0f points " PAGE_POINTS_END "<span class=\"quiet\">(",
+            result_score(report), result_max_score(report));
+    if (!report->hidden)
+        fprintf(page.out, "seed %llu, ", (unsigned long long)report->seed);
+    fputs(report->context, page.out);
     fputs(report->renderer[0] ? ", " : "", page.out);
     page_text(&page, report->renderer);
     fputs(")</span></p>\n", page.out);

@@ -2,8 +2,8 @@
 #include "truth/truth.h"
 
 #include "scene/check.h"
+#include "truth/embree.h"
 
-#include <embree3/rtcore.h>
 #include <stdlib.h>
 #include <string.h>
 

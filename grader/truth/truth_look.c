@@ -1,10 +1,9 @@
 // Primary rays.
 #include "scene/check.h"
+#include "truth/embree.h"
 #include "truth/primary.h"
 #include "truth/tile.h"
 #include "truth/truth.h"
-
-#include <embree3/rtcore.h>
 
 typedef struct Look {
     const Truth *truth;
@@ -75,9 +74,9 @@ static void look_tile(const Tile *tile, void *context) {
     const Look *look = context;
     const Camera *camera = &look->truth->scene.camera;
     struct RTCRayHit16 rays = {0};
-    struct RTCIntersectContext with;
-    rtcInitIntersectContext(&with);
-    with.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    struct RTCIntersectArguments with;
+    rtcInitIntersectArguments(&with);
+    with.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     for (int i = 0; i < TILE_LANES; i++) {
         vec2s within = place_in(look->place, tile->pixel[i]);
         vec3s direction = primary_direction(&look->primary, tile->column[i], tile->row[i], within);
@@ -88,7 +87,7 @@ static void look_tile(const Tile *tile, void *context) {
         rays.ray.mask[i] = ~0u;
         rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect16(tile->inside, look->truth->tree, &with, &rays);
+    rtcIntersect16(tile->inside, look->truth->tree, &rays, &with);
     for (int i = 0; i < TILE_LANES; i++)
         if (tile->inside[i])
             look->picture->hits[tile->pixel[i]] =

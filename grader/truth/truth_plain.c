@@ -1,9 +1,8 @@
 #include "truth/truth_plain.h"
 
 #include "truth/aim.h"
+#include "truth/embree.h"
 #include "truth/tile.h"
-
-#include <embree3/rtcore.h>
 
 typedef struct Plain {
     const Truth *truth;
@@ -44,9 +43,9 @@ static bool reaches(RTCScene tree, const ShadedPoint *point, const Aim *aim) {
                          .dir_z = direction.z,
                          .tfar = aim->limit,
                          .mask = ~0u};
-    struct RTCIntersectContext with;
-    rtcInitIntersectContext(&with); // flags: incoherent
-    rtcOccluded1(tree, &with, &ray);
+    struct RTCOccludedArguments with;
+    rtcInitOccludedArguments(&with); // flags: incoherent
+    rtcOccluded1(tree, &ray, &with);
     return ray.tfar >= 0;
 }
 

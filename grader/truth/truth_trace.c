@@ -2,10 +2,9 @@
 #include "truth/aim.h"
 #include "scene/check.h"
 #include "truth/dust.h"
+#include "truth/embree.h"
 #include "truth/tile.h"
 #include "truth/truth.h"
-
-#include <embree3/rtcore.h>
 
 typedef struct Trace {
     const Truth *truth;
@@ -82,8 +81,8 @@ static void set_rays(Packet *packet, const Aim *aim) {
 
 static void trace_singly(RTCScene tree, Packet *packet) {
     struct RTCRay16 *rays = &packet->rays;
-    struct RTCIntersectContext with;
-    rtcInitIntersectContext(&with);
+    struct RTCOccludedArguments with;
+    rtcInitOccludedArguments(&with);
     for (int i = 0; i < TILE_LANES; i++) {
         if (!packet->valid[i])
             continue;
@@ -95,16 +94,16 @@ static void trace_singly(RTCScene tree, Packet *packet) {
                              .dir_z = rays->dir_z[i],
                              .tfar = rays->tfar[i],
                              .mask = ~0u};
-        rtcOccluded1(tree, &with, &ray);
+        rtcOccluded1(tree, &ray, &with);
         rays->tfar[i] = ray.tfar;
     }
 }
 
 static void trace_packet(RTCScene tree, Packet *packet) {
-    struct RTCIntersectContext with;
-    rtcInitIntersectContext(&with);
-    with.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcOccluded16(packet->valid, tree, &with, &packet->rays);
+    struct RTCOccludedArguments with;
+    rtcInitOccludedArguments(&with);
+    with.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+    rtcOccluded16(packet->valid, tree, &packet->rays, &with);
 }
 
 static void trace_aims(const Trace *trace, Packet *packet, const Aim *aims, int count) {

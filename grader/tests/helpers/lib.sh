@@ -1,11 +1,12 @@
 # For the shell tests: counts, and runs the grader on folders made from the solutions. Sourced with BUILD set.
-passed=0 failed=0
+passed=0 failed=0 skipped=0
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
 grade=$root/$BUILD/grade
 
 ok() { passed=$((passed + 1)); }
+skip() { skipped=$((skipped + 1)); echo "skipped: $1"; } # WHY
 bad() { failed=$((failed + 1)); echo "FAILED: $1"; [[ -n ${2:-} ]] && sed 's/^/    /' <<<"$2" | head -30; return 0; }
 
 # expect NAME STATUS PATTERN...: the last run (in $out and $status) ended so and printed every pattern (fixed strings).
@@ -39,7 +40,7 @@ solved() {
 browses() {
     local command out browser=$root/grader/tests/browser
     for command in node npm chromium; do
-        command -v $command >/dev/null || { echo "skipped: there is no $command (common/setup --check installs it)"; return 0; }
+        command -v $command >/dev/null || { skip "there is no $command (common/setup --test installs it)"; return 0; }
     done
     # Tests run side by side: one of them installs.
     flock "$browser/package.json" make --no-print-directory -C "$root" grader/tests/browser/node_modules/.package-lock.json \
@@ -51,6 +52,8 @@ browses() {
 }
 
 finish() {
-    echo "$passed passed, $failed failed"
+    local more=
+    ((skipped)) && more=", $skipped skipped"
+    echo "$passed passed, $failed failed$more"
     ((failed == 0))
 }

@@ -5,7 +5,7 @@ set -u
 source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
 if [[ -n ${QUICK:-} ]] || ! strace -qq -o /dev/null true 2>/dev/null; then
-    echo "skipped: strace does not work here, or a sanitizer is in the way"
+    skip "strace does not work here (common/setup --test), or a sanitizer is in the way"
     finish
     exit
 fi
@@ -50,6 +50,6 @@ if ((EUID == 0)) && mkdir "$work/small" && mount -t tmpfs -o size=1m,mode=711 tm
         umount "$work/small"
     done
 else
-    echo "skipped: a full temporary folder cannot be made here"
+    skip "only root can make a full temporary folder"
 fi
 finish

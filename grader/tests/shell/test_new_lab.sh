@@ -48,6 +48,8 @@ expect "a grading by the watch" 1 "$n.1"
 if [[ -x build/view ]] && command -v xvfb-run >/dev/null; then
     runs xvfb-run -a build/view --lab "$id" --screenshot "$work/window.png"
     [[ $status == 0 && -s $work/window.png ]] && ok || bad "the window" "$out"
+else
+    skip "the window: there is no build/view or no xvfb-run (common/setup --test)"
 fi
 runs env SEEDS=1 grader/scripts/make_kit build "$id"
 expect "the kit" 0 "shadow-lab-kit.tar.gz"
@@ -64,10 +66,14 @@ if [[ -x build/chart ]]; then
     runs make "build/test_${id}_witness"
     runs "build/test_${id}_witness"
     expect "its witness" 0 "PASSED"
+else
+    skip "the study: there is no build/chart (common/setup --test)"
 fi
 if command -v node >/dev/null && command -v cmark-gfm >/dev/null && [[ -d grader/site/node_modules ]]; then
     runs node grader/site/build.mjs "$work/site"
     [[ $status == 0 && -s $work/site/$lab.html ]] && ok || bad "its page" "$out"
+else
+    skip "its page: there is no node or no cmark-gfm, or make site never ran (common/setup --test)"
 fi
 runs env SKIP_TIDY=1 make check
 expect "the gates" 0 ", 0 failed"

@@ -5,7 +5,7 @@ source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
 browser=grader/tests/browser
 for tool in node npm cmark-gfm chromium; do
-    command -v $tool >/dev/null || { echo "skipped: $tool is not here (common/setup --check)"; echo "0 passed, 0 failed"; exit 0; }
+    command -v $tool >/dev/null || { skip "there is no $tool (common/setup --test)"; finish; exit; }
 done
 runs() { status=0; out=$("$@" 2>&1) || status=$?; }
 runs flock $browser/package.json make --no-print-directory BUILD="$work" grader/site/node_modules/.package-lock.json $browser/node_modules/.package-lock.json

@@ -41,7 +41,7 @@ if command -v apitrace >/dev/null; then
     [[ $(apitrace dump --color=never build/trace/03/frame.trace | grep -c ' glDrawElements(') == 6 ]] && ok ||
         bad "the trace has the floor, the box and the sphere in both passes" "$(apitrace dump build/trace/03/frame.trace | grep Draw)"
 else
-    echo "skipped: apitrace is not here (common/setup --check)"
+    skip "there is no apitrace (common/setup --test)"
 fi
 if command -v renderdoccmd >/dev/null && [[ -e /usr/include/renderdoc_app.h ]]; then
     TOOL=renderdoc runs grader/scripts/trace 03
@@ -49,6 +49,6 @@ if command -v renderdoccmd >/dev/null && [[ -e /usr/include/renderdoc_app.h ]]; 
     renderdoccmd convert -f build/trace/03/frame_capture.rdc -o frame.xml -c xml >/dev/null 2>&1
     [[ $(grep -c 'name="glDrawElements"' frame.xml) == 6 ]] && ok || bad "RenderDoc's capture has the six draw calls"
 else
-    echo "skipped: RenderDoc or its header is not here (common/setup --check)"
+    skip "there is no RenderDoc, or not its header (common/setup --test)"
 fi
 finish

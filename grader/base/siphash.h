@@ -1,0 +1,8 @@
+// A number made from content that nobody can foresee, or make come twice, without the key: SipHash-2-4
+// (Aumasson, Bernstein: SipHash: a fast short-input PRF, INDOCRYPT 2012).
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+uint64_t siphash(const uint64_t key[2], const void *bytes, size_t size);
