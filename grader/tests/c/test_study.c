@@ -6,7 +6,7 @@
 #include "base/files.h"
 #include "base/statistics.h"
 #include "truth/closed_scenes.h"
-#include "study/csv.h"
+#include "study/findings_csv.h"
 #include "study/edge.h"
 #include "study/fragments.h"
 #include "study/measurements.h"
@@ -251,7 +251,7 @@ static void test_state(void **unused) {
 // A table of settings of one scene; the times' bars are 1 wide, and the second is on the front where `front`.
 static void write_table(const char *path, double first_ms, double second_ms, bool front) {
     FILE *file = fopen(path, "w");
-    csv_head(file);
+    findings_csv_head(file);
     for (int i = 0; i < 2; i++)
         fprintf(file,
                 "edges,05,ours,\"linear\",\"a, map "
@@ -273,12 +273,12 @@ static void test_compare(void **unused) {
     make_path(bad, folder, "bad.csv");
     write_table(a, 10, 11.9, true);
     write_table(b, 10, 12.1, false);
-    assert_true(csv_compare(a, b, nowhere, &unexplained) && unexplained == 0);
+    assert_true(findings_csv_compare(a, b, nowhere, &unexplained) && unexplained == 0);
     write_table(a, 14, 10, true);
-    assert_true(csv_compare(a, b, nowhere, &unexplained) && unexplained == 1);
-    assert_true(csv_compare(b, a, nowhere, &unexplained) && unexplained == 1);
+    assert_true(findings_csv_compare(a, b, nowhere, &unexplained) && unexplained == 1);
+    assert_true(findings_csv_compare(b, a, nowhere, &unexplained) && unexplained == 1);
     assert_true(files_write(bad, "scene,lab,whose\nedges,05\n"));
-    assert_false(csv_compare(a, bad, nowhere, &unexplained));
+    assert_false(findings_csv_compare(a, bad, nowhere, &unexplained));
     assert_non_null(strstr(check_message(), "bad.csv:"));
     fclose(nowhere);
     files_remove(folder);
