@@ -5,5 +5,5 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// Of `size` bytes under the key of 128 bits, its first 8 bytes (little-endian) first.
+// The number of `size` bytes; the same for the same key and bytes on every machine.
 uint64_t siphash(const uint64_t key[2], const void *bytes, size_t size);

@@ -42,8 +42,9 @@ static void measure(uint16_t *common, const Words *ours, const Words *theirs) {
         for (int j = theirs->count - 1; j >= 0; j--) {
             const uint16_t down = common[(i + 1) * wide + j], right = common[i * wide + j + 1];
             const uint16_t both = (uint16_t)(common[(i + 1) * wide + j + 1] + 1);
-            common[i * wide + j] =
-                same(&ours->list[i], &theirs->list[j]) ? both : down > right ? down : right;
+            common[i * wide + j] = same(&ours->list[i], &theirs->list[j]) ? both
+                                   : down > right                         ? down
+                                                                          : right;
         }
 }
 

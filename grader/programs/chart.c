@@ -7,7 +7,7 @@
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "study/chart_svg.h"
-#include "study/csv.h"
+#include "study/findings_csv.h"
 #include "study/chart_page.h"
 #include "study/verdict.h"
 
@@ -181,8 +181,8 @@ static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output
     static SceneFindings findings;
     if (!measure_scene(plan, scene, &findings) || !chart_draw(&findings, plan->output))
         return false;
-    csv_write(output->csv.out, &findings);
-    csv_views_write(output->views.out, &findings);
+    findings_csv_write(output->csv.out, &findings);
+    findings_csv_views_write(output->views.out, &findings);
     report(&findings, output->needs.out);
     return chart_page_add(output->page.out, plan, &findings, output->scenes++ == 0);
 }
@@ -208,8 +208,8 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
     static Output output;
     if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
-    csv_head(output.csv.out);
-    csv_views_head(output.views.out);
+    findings_csv_head(output.csv.out);
+    findings_csv_views_head(output.views.out);
     for (int i = 0; study_scene(i); i++)
         if (is_wanted(command, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
@@ -243,7 +243,7 @@ static int list(void) {
 
 static int compare(char **paths) {
     int unexplained;
-    if (csv_compare(paths[0], paths[1], stdout, &unexplained))
+    if (findings_csv_compare(paths[0], paths[1], stdout, &unexplained))
         return unexplained > 0;
     fprintf(stderr, "chart: %s\n", check_message());
     return 2;

@@ -52,14 +52,14 @@ export function withFigure(html, lab, picture) {
   const file = ["solutions", "grader/recorded/figures"].map((folder) => `${folder}/${lab}/figure.mjs`).find(existsSync);
   if (!file) return undefined;
   const code = script(file);
-  const figure = { host: '<figure class="play" hidden></figure>\n', script: `<script type="module">${code}</script>\n` };
+  const figure = `<figure class="play" hidden></figure>\n<script type="module">${code}</script>\n`; // a module runs when the page is there
   const diagram = html.match(/<p><img src="[^"]*\.svg"[^>]*><\/p>\n/);
   const at = diagram ? diagram.index + diagram[0].length : html.length;
   const real = frames(lab, picture), rest = html.slice(at), wrong = rest.indexOf('<h2 id="what-goes-wrong');
   const behind = wrong < 0 ? real + rest : rest.slice(0, wrong) + real + rest.slice(wrong);
   const scope = ".play svg ";
   return {
-    html: `${html.slice(0, at)}${figure.host}${behind}${figure.script}`,
+    html: html.slice(0, at) + figure + behind,
     style: `${here("figures.css")}${rules(palettes.light, scope)}\n@media screen and (prefers-color-scheme: dark) {\n${rules(palettes.dark, scope)}\n}\n`,
     policy: `script-src 'sha256-${createHash("sha256").update(code).digest("base64")}'`,
   };

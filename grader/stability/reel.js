@@ -4,7 +4,7 @@ for (const reel of document.querySelectorAll('.reel')) {
         picture = reel.querySelector('img'), caption = reel.querySelector('figcaption');
   const show = () => {
     const [words, bytes] = frames[slider.value];
-    picture.src = `data:image/png;base64,${bytes}`;
+    picture.src = ['data:image/png', 'base64,'].join(';') + bytes;
     picture.alt = `The method, the truth and the error: ${words}`;
     caption.textContent = `${Number(slider.value) + 1} of ${frames.length}: ${words}`;
     slider.setAttribute('aria-valuetext', caption.textContent);

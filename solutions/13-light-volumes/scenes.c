@@ -86,8 +86,8 @@ static void make_casters(Scene *scene, Random *random) {
     light_from(scene, random, 30, 65);
 }
 
-// Where the map says nothing: half of the picture lies behind a spot light, or beyond the sides of a small
-// map.
+// Where the map says nothing: half of the picture lies behind a spot light, or beyond the sides and the far
+// plane of a small map.
 static void make_beyond(Scene *scene, Random *random) {
     begin(scene, random);
     float_casters(scene, random, 3, 0.5f, 1.2f);
@@ -103,6 +103,7 @@ static void make_beyond(Scene *scene, Random *random) {
         vec3s place = part_above(random, 40, 60, 10);
         Light *light = part_light(scene, LIGHT_DIRECTIONAL, place, vec3_make(0, 0, 0));
         light->half_size = random_range(random, 1.6f, 2.2f);
+        light->far_plane = random_range(random, 9, 10);
         light->color = warm();
     }
 }

@@ -1,10 +1,10 @@
-#include "study/csv.h"
+#include "study/findings_csv.h"
 
 #include "scene/check.h"
 
 #include <string.h>
 
-void csv_head(FILE *file) {
+void findings_csv_head(FILE *file) {
     fputs("scene,lab,whose,method,setting,frames,ms,ms_mad,prepare_ms,prepare_mad,shade_ms,shade_mad,error,"
           "false_shadow,"
           "false_light,edge_false_shadow,edge_false_light,interior_false_shadow,interior_false_light,edge_"
@@ -36,7 +36,7 @@ static void write_motion(FILE *file, const SceneFindings *findings, const Findin
         fputs(",\n", file);
 }
 
-void csv_write(FILE *file, const SceneFindings *findings) {
+void findings_csv_write(FILE *file, const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++) {
         const Finding *f = &findings->findings[i];
         const Point *point = &findings->points[i];
@@ -56,14 +56,14 @@ void csv_write(FILE *file, const SceneFindings *findings) {
     }
 }
 
-void csv_views_head(FILE *file) {
+void findings_csv_views_head(FILE *file) {
     fputs("scene,lab,whose,method,setting,view,error,interior_error,edge_off_pixels,rmse,flip,center_error,"
           "light_turns,"
           "camera_moves\n",
           file);
 }
 
-void csv_views_write(FILE *file, const SceneFindings *findings) {
+void findings_csv_views_write(FILE *file, const SceneFindings *findings) {
     for (int i = 0; i < findings->count; i++) {
         const Finding *f = &findings->findings[i];
         for (int v = 0; v < STUDY_VIEWS && f->drawn; v++) {

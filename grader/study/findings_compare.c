@@ -1,6 +1,6 @@
 // Reads two tables of a study and tells the settings that only one has on its front, and whether the bars
 // explain it.
-#include "study/csv.h"
+#include "study/findings_csv.h"
 
 #include "scene/check.h"
 
@@ -124,7 +124,7 @@ static bool is_explained(const CsvTable *on_table, const CsvRow *on, const CsvTa
     return true;
 }
 
-bool csv_compare(const char *a, const char *b, FILE *out, int *unexplained) {
+bool findings_csv_compare(const char *a, const char *b, FILE *out, int *unexplained) {
     static CsvTable first, second;
     int both = 0, swapped = 0, front = 0, needs = 0, same = 0;
     *unexplained = first.count = second.count = 0;
