@@ -1,6 +1,7 @@
 #include "grade/take_submission.h"
 
 #include "scene/check.h"
+#include "base/blame.h"
 #include "base/find_file.h"
 #include "compile/lab_folder.h"
 #include "compile/todo.h"
@@ -8,6 +9,7 @@
 #include "grade/control.h"
 #include "grade/lab_verdict.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -79,6 +81,8 @@ bool take_submission(LabResult *result, WorkerClient *student, const Rubric *rub
     find_files(&ignored, submission);
     check_clear();
     bool ok = files_check_folder(submission) && files_list(submission, note_ignored, &ignored);
+    if (!ok && blame_is_ours(errno))
+        return false;
     if (ok && !compile(&ok, student, rubric, submission, log))
         return false;
     if (!ok) {

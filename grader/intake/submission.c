@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "base/blame.h"
 #include "base/find_file.h"
 #include "intake/archive.h"
 #include "intake/lab_name.h"
@@ -28,11 +29,6 @@ typedef struct FolderWalk {
 } FolderWalk;
 
 static void look_into(FolderWalk *outer, const char *folder, const char *above, int depth);
-
-// Is it the machine that lacks something, and not the folder that cannot be read?
-static bool is_ours(int error) {
-    return error == EMFILE || error == ENFILE || error == ENOMEM || error == EIO;
-}
 
 static bool is_our_name(const char *name, const char *id) {
     char ours[FILES_PATH];
@@ -64,7 +60,7 @@ static void judge_folder(FolderWalk *walk, const char *folder, const char *name,
     char file[FIND_FILE_NAME], id[3] = "";
     check_clear();
     const bool filled = find_file(file, folder, "lab.c");
-    walk->stopped = walk->stopped || is_ours(check_message()[0] ? errno : 0);
+    walk->stopped = walk->stopped || (check_message()[0] && blame_is_ours(errno));
     if (above[0] && is_our_name(name, above))
         add_lab(walk, folder, above, filled ? 0 : RANK_EMPTY);
     else if (filled && find_title(id, folder, file))
@@ -109,8 +105,11 @@ static void look(const char *name, void *context) {
         return;
     }
     files_join(path, walk->folder, name);
-    if (lstat(path, &info) != 0)
+    if (lstat(path, &info) != 0) {
+        walk->stopped = walk->stopped ||
+                        (blame_is_ours(errno) && !check_fail("%s cannot be read: %s", path, strerror(errno)));
         return;
+    }
     if (S_ISDIR(info.st_mode))
         enter(walk, path, name, walk->above);
     else if (S_ISREG(info.st_mode) && archive_is_name(name))
@@ -123,7 +122,7 @@ static void look_into(FolderWalk *outer, const char *folder, const char *above, 
     walk.depth = depth;
     snprintf(walk.above, sizeof walk.above, "%s", above);
     if (!files_list(folder, look, &walk))
-        walk.stopped = walk.stopped || is_ours(errno);
+        walk.stopped = walk.stopped || blame_is_ours(errno);
     outer->stopped = outer->stopped || walk.stopped;
     if (!outer->stopped)
         check_clear();
