@@ -115,7 +115,7 @@ int main(int count, char **arguments) {
     signal(SIGPIPE, SIG_IGN);
     printf("%s", table.power
                      ? "| lab | scene | what | without it |\n|---|---|---|---|\n"
-                     : "| lab | scene | planes | boxes | spheres | arches | triangles | least need, %% |\n"
+                     : "| lab | scene | planes | boxes | spheres | arches | triangles | least need, % |\n"
                        "|---|---|---|---|---|---|---|---|\n");
     table.broken = !places_list_labs(print_lab, &table) || table.broken;
     worker_client_stop(&table.worker);
