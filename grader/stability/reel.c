@@ -9,7 +9,7 @@ static uint8_t mean(const Image *image, int x, int y, int times, int channel) {
     for (int v = y * times; v < (y + 1) * times && v < image->height; v++)
         for (int u = x * times; u < (x + 1) * times && u < image->width; u++, count++)
             sum += image->rgba[image_at(image, u, v) + (size_t)channel];
-    return (uint8_t)((sum + count / 2) / count);
+    return count > 0 ? (uint8_t)((sum + count / 2) / count) : 0;
 }
 
 bool reel_shrink(Image *small, const Image *image, int width) {

@@ -61,7 +61,7 @@ static bool draw_rays(StudyPlan *plan, const StudyView *view, const StudyScene *
 static bool measure_motion(const StudyView *view, const StudyScene *scene, LabArtist *artist,
                            const Method *method, MeasuredErrors *errors) {
     double beyond[MOTION_KINDS] = {0};
-    bool ok = !scene->moves || method->rays || artist->without ||
+    bool ok = !scene->moves || method->rays || !artist || artist->without ||
               motion_measure(&view->motion, artist, &method->setting, beyond);
     errors->turning = beyond[MOTION_LIGHT];
     errors->moving = beyond[MOTION_CAMERA];

@@ -71,6 +71,7 @@ void motion_destroy(Motion *motion) {
 double motion_changes(MetricsSize size, const float *const shown[2], const MotionFrame frames[2],
                       double *count) {
     double sum = 0;
+    INVARIANT(frames[0].counts && frames[1].counts && shown[0] && shown[1]);
     for (size_t i = 0; i < (size_t)size.width * (size_t)size.height; i++) {
         if (!frames[0].counts[i] || !frames[1].counts[i] || !isfinite(shown[0][i]) || !isfinite(shown[1][i]))
             continue;
