@@ -61,3 +61,8 @@ bool find_file(char found[FIND_FILE_NAME], const char *folder, const char *name)
     files_list(folder, look, &hunt);
     return hunt.worth > 0;
 }
+
+char *find_file_read(const char *folder, const char *name, size_t limit) {
+    char found[FIND_FILE_NAME];
+    return files_read_untrusted(folder, find_file(found, folder, name) ? found : name, limit);
+}

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stdbool.h>
+#include <stddef.h>
 
 enum { FIND_FILE_NAME = 256 };
 
@@ -9,3 +10,7 @@ enum { FIND_FILE_NAME = 256 };
 // the case of its letters, else one with what systems add ("lab (1).c", "lab-1.c", "lab.c.txt", "Copy of
 // lab.c"). False when there is none.
 bool find_file(char found[FIND_FILE_NAME], const char *folder, const char *name);
+
+// Its text, as files_read_untrusted gives it: the caller frees it; NULL with a message, which names `name`
+// where there is no such file.
+char *find_file_read(const char *folder, const char *name, size_t limit);

@@ -253,7 +253,7 @@ bool functions_same_signature(const Functions *a, const char *other, const Funct
         const Token next = tokens_next(&after), next_other = tokens_next(&after_other);
         const bool parameter = (token_is(&next, ",") || token_is(&next, ")")) &&
                                (token_is(&next_other, ",") || token_is(&next_other, ")"));
-        if (!named && !parameter && (x.length != y.length || memcmp(x.text, y.text, x.length) != 0))
+        if (!named && !parameter && !tokens_same(&x, &y))
             return false;
     }
 }

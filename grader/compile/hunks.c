@@ -31,10 +31,6 @@ static void read_words(Words *words, TextPart part) {
     }
 }
 
-static bool same(const Token *a, const Token *b) {
-    return a->length == b->length && memcmp(a->text, b->text, a->length) == 0;
-}
-
 // common[i * (theirs + 1) + j]: length of the longest common row of ours from i on and theirs from j on.
 static void measure(uint16_t *common, const Words *ours, const Words *theirs) {
     const int wide = theirs->count + 1;
@@ -42,9 +38,9 @@ static void measure(uint16_t *common, const Words *ours, const Words *theirs) {
         for (int j = theirs->count - 1; j >= 0; j--) {
             const uint16_t down = common[(i + 1) * wide + j], right = common[i * wide + j + 1];
             const uint16_t both = (uint16_t)(common[(i + 1) * wide + j + 1] + 1);
-            common[i * wide + j] = same(&ours->list[i], &theirs->list[j]) ? both
-                                   : down > right                         ? down
-                                                                          : right;
+            common[i * wide + j] = tokens_same(&ours->list[i], &theirs->list[j]) ? both
+                                   : down > right                                ? down
+                                                                                 : right;
         }
 }
 
@@ -67,7 +63,7 @@ static void walk(Hunks *hunks, const uint16_t *common, const Words *ours, const 
     int i = 0, j = 0, first = -1;
     while (i < ours->count || j < theirs->count) {
         const bool both = i < ours->count && j < theirs->count;
-        if (both && same(&ours->list[i], &theirs->list[j])) {
+        if (both && tokens_same(&ours->list[i], &theirs->list[j])) {
             add(hunks, ours, first, i);
             first = -1;
             i++;

@@ -161,20 +161,13 @@ static bool take_library(const char *folder, const char *earlier, const Rubric *
     return link(old_path, path) == 0;
 }
 
-// Under its name, or under the one that a system has made of it.
-static char *read_submitted(const char *submission, const char *name) {
-    char found[FIND_FILE_NAME];
-    return files_read_untrusted(submission, find_file(found, submission, name) ? found : name,
-                                DERIVE_MAX_FILE);
-}
-
 bool lab_folder_again(const char *folder, const char *earlier, const Rubric *rubric, const char *submission,
                       const Jail *jail, char log[COMPILE_LOG]) {
     Texts texts = {0};
     bool ok = true;
     log[0] = '\0';
     for (int i = 0; ok && i < rubric->file_count; i++) {
-        texts.of[i] = read_submitted(submission, rubric->files[i]);
+        texts.of[i] = find_file_read(submission, rubric->files[i], DERIVE_MAX_FILE);
         ok = texts.of[i] && replace_text(&texts.of[i], task_blocks_select(rubric->files[i], texts.of[i],
                                                                           (Solved){SOLVED_ALL, NULL}, true));
     }

@@ -91,12 +91,16 @@ static bool same_directive(const Token *a, const Token *b) {
     return tokens_equal(a->text + 1, a->length - 1, b->text + 1, b->length - 1);
 }
 
+bool tokens_same(const Token *a, const Token *b) {
+    return a->length == b->length && memcmp(a->text, b->text, a->length) == 0;
+}
+
 static bool same_token(const Token *a, const Token *b) {
     if (a->kind != b->kind)
         return false;
     if (a->kind == TOKEN_DIRECTIVE)
         return same_directive(a, b);
-    return a->length == b->length && memcmp(a->text, b->text, a->length) == 0;
+    return tokens_same(a, b);
 }
 
 bool tokens_equal(const char *a, size_t a_length, const char *b, size_t b_length) {

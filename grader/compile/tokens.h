@@ -24,6 +24,9 @@ bool token_is(const Token *token, const char *word);
 // Is it a directive of this name: "if" is also #ifdef and #ifndef.
 bool token_is_directive(const Token *token, const char *name);
 
+// Are they the same words, whatever their kind?
+bool tokens_same(const Token *a, const Token *b);
+
 // Do two texts say the same but for blanks and comments?
 bool tokens_equal(const char *a, size_t a_length, const char *b, size_t b_length);
 

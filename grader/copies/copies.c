@@ -29,14 +29,12 @@ typedef struct CopyPair {
 
 // The lab's files in the folder, one after the other; "" when there are none.
 static char *read_lab(const Rubric *rubric, const char *folder) {
-    char *all = NULL, found[FIND_FILE_NAME];
+    char *all = NULL;
     size_t size;
     FILE *out = open_memstream(&all, &size);
     INVARIANT(out);
     for (int i = 0; folder && i < rubric->file_count; i++) {
-        char *text = find_file(found, folder, rubric->files[i])
-                         ? files_read_untrusted(folder, found, MOST_SOURCE)
-                         : NULL;
+        char *text = find_file_read(folder, rubric->files[i], MOST_SOURCE);
         fputs(text ? text : "", out);
         fputc('\n', out);
         free(text);
@@ -78,9 +76,8 @@ static void read_hand_in(const Table *table, int i, const Jail *jail, CopyLab *l
         return;
     if (submission_open(&submission, jail, path) == EXTRACT_OK)
         for (int n = 0; n < table->plan->lab_count; n++) {
-            const char *folder = submission_find(&submission, table->plan->labs[n], note, sizeof note);
-            if (!folder && table->plan->lab_count == 1)
-                folder = submission_nameless(&submission);
+            const char *folder = submission_find_of(&submission, table->plan->labs[n], table->plan->lab_count,
+                                                    note, sizeof note);
             char *text = read_lab(&labs[n].rubric, folder);
             labs[n].prints[i] = fingerprint_make(text, &labs[n].given);
             free(text);
@@ -142,17 +139,9 @@ static CopyPair compare(const CopyLab *lab, int first, int second) {
                       a->whole == b->whole};
 }
 
-static int write_lab(FILE *out, const Table *table, CopyLab *lab, const char *id) {
-    const int count = table->roster->count;
-    CodePrint frequent = find_frequent(lab, count, 4 + count / 10);
-    bool *own = calloc((size_t)count + 1, sizeof *own); // is there anything of their own?
-    CopyPair *pairs = NULL;
+// Those that look copied, the most alike first; *pairs is to be freed.
+static int find_pairs(CopyPair **pairs, const CopyLab *lab, const bool *own, int count) {
     int found = 0;
-    INVARIANT(own);
-    for (int i = 0; i < count; i++) {
-        own[i] = lab->prints[i].count >= LEAST_OWN;
-        drop(&lab->prints[i], &frequent);
-    }
     for (int i = 0; i < count; i++)
         for (int j = i + 1; j < count; j++) {
             const CopyPair pair = compare(lab, i, j);
@@ -160,13 +149,27 @@ static int write_lab(FILE *out, const Table *table, CopyLab *lab, const char *id
                 !(pair.equal || (pair.own >= LEAST_OWN && pair.common >= least_share * pair.own)))
                 continue;
             if ((found & (found - 1)) == 0) { // room is always a power of two
-                pairs = realloc(pairs, sizeof *pairs * (size_t)(found ? 2 * found : 1));
-                INVARIANT(pairs);
+                *pairs = realloc(*pairs, sizeof **pairs * (size_t)(found ? 2 * found : 1));
+                INVARIANT(*pairs);
             }
-            pairs[found++] = pair;
+            (*pairs)[found++] = pair;
         }
     if (found > 0)
-        qsort(pairs, (size_t)found, sizeof *pairs, by_share);
+        qsort(*pairs, (size_t)found, sizeof **pairs, by_share);
+    return found;
+}
+
+static int write_lab(FILE *out, const Table *table, CopyLab *lab, const char *id) {
+    const int count = table->roster->count;
+    CodePrint frequent = find_frequent(lab, count, 4 + count / 10);
+    bool *own = calloc((size_t)count + 1, sizeof *own); // is there anything of their own?
+    CopyPair *pairs = NULL;
+    INVARIANT(own);
+    for (int i = 0; i < count; i++) {
+        own[i] = lab->prints[i].count >= LEAST_OWN;
+        drop(&lab->prints[i], &frequent);
+    }
+    int found = find_pairs(&pairs, lab, own, count);
     found = found < MOST_PAIRS ? found : MOST_PAIRS;
     for (int i = 0; i < found; i++) {
         fprintf(out, "%s,%.0f,%s,", id, pairs[i].equal ? 100.0 : 100.0 * pairs[i].common / pairs[i].own,

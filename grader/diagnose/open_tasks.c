@@ -20,7 +20,7 @@ static bool same_after(const char *a, const char *b) {
     b += strcspn(b, "\n");
     for (int i = 0; i < WORDS_AFTER; i++) {
         const Token x = tokens_next(&a), y = tokens_next(&b);
-        if (x.kind != y.kind || x.length != y.length || memcmp(x.text, y.text, x.length) != 0)
+        if (x.kind != y.kind || !tokens_same(&x, &y))
             return false;
         if (x.kind == TOKEN_END)
             return true;

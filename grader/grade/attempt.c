@@ -14,8 +14,7 @@ static uint64_t add(uint64_t secret, uint64_t so_far, const char *text) {
 
 // A file that is missing or bad counts as one of no kind that can be handed in.
 static uint64_t add_file(uint64_t secret, uint64_t so_far, const char *folder, const char *name) {
-    char found[FIND_FILE_NAME];
-    char *text = find_file(found, folder, name) ? files_read_untrusted(folder, found, DERIVE_MAX_FILE) : NULL;
+    char *text = find_file_read(folder, name, DERIVE_MAX_FILE);
     so_far = add(secret, so_far, text ? text : "\001");
     free(text);
     check_clear();
@@ -27,9 +26,7 @@ uint64_t attempt_seed(uint64_t secret, const Submission *submission, const LabEx
     for (int i = 0; i < count; i++) {
         const Rubric *rubric = &examiners[i].rubric;
         char note[400];
-        const char *folder = submission_find(submission, rubric->id, note, sizeof note);
-        if (!folder && count == 1)
-            folder = submission_nameless(submission);
+        const char *folder = submission_find_of(submission, rubric->id, count, note, sizeof note);
         seed = add(secret, seed, rubric->id);
         for (int f = 0; folder && f < rubric->file_count; f++)
             seed = add_file(secret, seed, folder, rubric->files[f]);

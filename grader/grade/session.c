@@ -60,13 +60,6 @@ static void name_missing(const Submission *submission, const Rubric *rubric, cha
         snprintf(text, size, "not handed in: there is no folder %s (a link is none)", name);
 }
 
-// Where the examiner's lab lies; what is asked for alone needs no name.
-static const char *find_lab(const Session *session, const Submission *submission, const Rubric *rubric,
-                            char *note, size_t size) {
-    const char *found = submission_find(submission, rubric->id, note, size);
-    return found || session->lab_count > 1 ? found : submission_nameless(submission);
-}
-
 // Somebody who hands in one lab, and is not asked for all, is not told of the others.
 static bool is_left_out(const Session *session, const Submission *submission) {
     return !session->complete && submission->single;
@@ -75,7 +68,8 @@ static bool is_left_out(const Session *session, const Submission *submission) {
 static bool grade_one(Session *session, const Submission *submission, int i, Report *report) {
     LabExam *examiner = &session->examiners[i];
     char note[RESULT_TEXT], text[800];
-    const char *theirs = find_lab(session, submission, &examiner->rubric, note, sizeof note);
+    const char *theirs =
+        submission_find_of(submission, examiner->rubric.id, session->lab_count, note, sizeof note);
     bool ok = true;
     check_clear();
     if (!theirs && is_left_out(session, submission))

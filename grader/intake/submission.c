@@ -243,3 +243,9 @@ const char *submission_nameless(const Submission *submission) {
     }
     return found;
 }
+
+const char *submission_find_of(const Submission *submission, const char *id, int asked, char *note,
+                               size_t size) {
+    const char *found = submission_find(submission, id, note, size);
+    return found || asked > 1 ? found : submission_nameless(submission);
+}

@@ -45,3 +45,8 @@ const char *submission_find(const Submission *submission, const char *id, char *
 // The only folder with a lab.c of which nothing within what was handed in tells of which lab it is: it is of
 // the one lab that is asked for. NULL when there is none or more.
 const char *submission_nameless(const Submission *submission);
+
+// Where one of the `asked` labs lies that are asked for: found by its name or title, or where it is the only
+// one, without.
+const char *submission_find_of(const Submission *submission, const char *id, int asked, char *note,
+                               size_t size);
