@@ -16,9 +16,9 @@ rm -rf "${class:?}/six/$three" && cp -r "labs/$three" "$class/six"
 options=(--class "$class" --lab 03 --seed 9)
 grades "${options[@]}" --output "$work/alone"
 expect "one machine" 0 "6 submissions, 0 not graded"
-cluster() { # OUT BY: by a batch of one name
+cluster() { # OUT BY: by a batch of one name, in the few variables that a service has
     status=0
-    out=$(BATCH=1 PAUSE=0.3 timeout 100 grader/scripts/cluster "$2" "${options[@]}" --output "$1" 2>&1) || status=$?
+    out=$(env -u SHELL -u HOME BATCH=1 PAUSE=0.3 timeout 100 grader/scripts/cluster "$2" "${options[@]}" --output "$1" 2>&1) || status=$?
 }
 same() { # NAME OUT
     expect "$1" 0 "6 submissions, 0 not graded"
@@ -35,7 +35,7 @@ echo "$1" >>"$(dirname "$0")/asked"
 if [[ $1 == down ]]; then exit 255; fi
 shift
 if [[ $1 == -- ]]; then shift; fi
-exec bash -c "$*"
+SHELL=/bin/bash exec bash -c "$*" # as sshd does
 SSH
     chmod +x "$work/ssh"
     printf '1/%s\n' alpha down beta >"$work/hosts"
@@ -61,6 +61,8 @@ mkdir -p "$slurm"/{n1,n2,state}
 chmod 755 "$slurm"
 head -c 1024 /dev/urandom >"$slurm/key" && chmod 400 "$slurm/key"
 export SLURM_CONF=$slurm/slurm.conf
+# On the node that is to die, a task lasts longer than it takes to see it.
+printf '#!/bin/sh\nif [ "$SLURMD_NODENAME" = n1 ]; then sleep 3; fi\n' >"$slurm/prolog" && chmod 755 "$slurm/prolog"
 cat >"$SLURM_CONF" <<CONF
 ClusterName=lab
 SlurmctldHost=$(hostname -s)(127.0.0.1)
@@ -81,6 +83,7 @@ ReturnToService=2
 SchedulerParameters=sched_interval=1
 SlurmdTimeout=5
 KillWait=2
+TaskProlog=$slurm/prolog
 StateSaveLocation=$slurm/state
 SlurmdSpoolDir=$slurm/%n
 SlurmctldPidFile=$slurm/ctld.pid
@@ -120,7 +123,6 @@ for ((i = 0; i < 150; i++)); do [[ $(sinfo -h -N -o %T 2>/dev/null | sort -u) ==
         [[ -n $(of_node n1) ]] && break
         sleep 0.1
     done
-    sleep 0.3
     echo "$i" >"$slurm/died"
     kill -KILL "${pids[2]}" $(of_node n1)
 ) &
