@@ -24,7 +24,7 @@ typedef struct FrameCommand {
     Request request;
     ContextKind context;
     int fine; // so many times as wide and high it is drawn
-    bool palette;
+    bool quiet;
     bool misfit; // a knob of the command line is none of the lab's, or out of its range
 } FrameCommand;
 
@@ -56,6 +56,11 @@ static bool take_fine(void *target, const char *text) {
     return option_whole(target, text, 1, MOST_FINE);
 }
 
+static bool take_colors(void *target, const char *text) {
+    *(bool *)target = strcmp(text, "quiet") == 0;
+    return *(bool *)target || strcmp(text, "own") == 0 || check_fail("takes own or quiet, not \"%s\"", text);
+}
+
 #define AT(field) offsetof(FrameCommand, field)
 static const Option options[] = {
     {"lab", 0, "NN", "the lab", AT(lab), option_lab},
@@ -74,7 +79,8 @@ static const Option options[] = {
     {"mistake", 0, "NAME", "the solution with a mistake of mistakes.json", AT(mistake), option_text},
     {"fine", 0, "N", "smooth edges: drawn N times as large (1 to 4), and N x N pixels become one", AT(fine),
      take_fine},
-    {"palette", 0, NULL, "in the few quiet colours of the handouts' pictures", AT(palette), option_flag},
+    {"colors", 0, "own|quiet", "those of the variant (default), or the few of the handouts' pictures",
+     AT(quiet), take_colors},
     {"context", 0, "C", "osmesa or egl (default: the first that is here)", AT(context), option_context},
     {0}};
 #undef AT
@@ -142,7 +148,7 @@ static bool write_request(const Request *request, const char *folder) {
 static bool make_scene(FrameCommand *command) {
     Random random = {command->seed};
     const bool ok = scene_make(&command->request.scene, command->scene, &random);
-    if (ok && command->palette)
+    if (ok && command->quiet)
         picture_colors_apply(&command->request.scene);
     return ok;
 }

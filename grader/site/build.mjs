@@ -127,7 +127,7 @@ function makeStart() {
     ["teachers.html", "grading a class, the chart of speed against error, how it is built"],
   ].map(([file, what]) => ({ ...pages.find((page) => page.file === file), what })).filter(({ file }) => file);
   return landing({
-    introduction: paragraphs(before, (text) => /^[A-Z]/.test(text.trim()) && !words++),
+    introduction: paragraphs(before, (text) => text.startsWith("![") || (/^[A-Z]/.test(text.trim()) && !words++)),
     order: paragraphs(partOf("The labs")?.body ?? "", (text) => /^[A-Z]/.test(text.trim())),
     labs: labs.map((page) => ({ file: page.file, title: page.label, progress: page.progress, ...firstPicture(page), ...describe(readme, page.source) })),
     ways,
