@@ -217,7 +217,8 @@ char *suite_html(const RowResult *results, int count, const char *folder) {
             "<style>figure img { image-rendering: auto; } figure .wide { max-width: 100%%; } "
             "figure img.curves { max-width: 100%%; } "
             "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
-            "image-rendering: pixelated; } .reel label { display: flex; flex-wrap: wrap; gap: 0.5rem; } "
+            "image-rendering: pixelated; } .reel label { display: flex; flex-wrap: wrap; gap: 0.5rem; "
+            "max-width: 100%%; } "
             ".reel input { flex: 1; min-width: 0; "
             "max-width: 40rem; } .state { white-space: nowrap; }</style>\n",
             of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);
