@@ -271,6 +271,11 @@ static int compare(const GradeCommand *command) {
     return EXIT_COULD_NOT;
 }
 
+// What only reads records needs no context.
+static bool draws(const GradeCommand *command) {
+    return !command->compare && !command->class.gather && !command->class.list;
+}
+
 static int grade(GradeCommand *command) {
     ClassSettings *class = &command->class;
     if (command->compare)
@@ -286,11 +291,9 @@ static int grade(GradeCommand *command) {
 
 int main(int count, char **arguments) {
     static GradeCommand command = {.class.seconds = 20};
-    if (!option_context_of_environment(&command.class.context, "grade")) {
-        command_line_complain(&command_line, check_message());
-        return EXIT_USAGE;
-    }
     command_line_take(&command_line, &command, count, arguments);
+    if (draws(&command))
+        command_line_settle_context(&command_line, &command.class.context);
     signal(SIGPIPE, SIG_IGN);
     const int status = grade(&command);
     free(command.class.only);

@@ -51,7 +51,7 @@ bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *s
     if (!places_find_lab_in(folder, submission, id))
         files_join(folder, submission, ".");
     artist->client = (WorkerClient){
-        .trust = TRUST_NOBODY, .jail = jail, .context = context, .hardware = !jail, .seconds = SECONDS};
+        .trust = TRUST_NOBODY, .jail = jail, .context = context, .hardware = !jail && context == CONTEXT_EGL, .seconds = SECONDS};
     return derive(artist, folder);
 }
 
