@@ -69,7 +69,8 @@ static void add_bwrap(BwrapCommand *command, const Jail *jail, const JailPlan *p
     // Never --new-session: all must stay in the process's group, by which it is ended.
     static const char *const first[] = {
         "bwrap",         "--unshare-user", "--unshare-ipc",        "--unshare-pid",
-        "--unshare-net", "--unshare-uts",  "--unshare-cgroup-try", "--die-with-parent"};
+        "--unshare-net", "--unshare-uts",  "--unshare-cgroup-try", "--die-with-parent",
+        "--hostname",    "shadow-lab"};
     int links = 0;
     for (unsigned i = 0; i < COUNT(first); i++)
         add(command, first[i]);
