@@ -86,6 +86,12 @@ static void write_counts(ClassPage *page) {
         fprintf(page->page.out, ", %d students handed in nothing", missing);
     fprintf(page->page.out, " <span class=\"quiet\">(seed %llu)</span></p>\n",
             (unsigned long long)table->plan->seed);
+    const int by_files = page->book->late.given ? book_count_by_files(page->book) : 0;
+    if (by_files > 0)
+        fprintf(page->page.out,
+                "<p>When %d of them were handed in is known by the files' times only, which a student can "
+                "set.</p>\n",
+                by_files);
 }
 
 char *class_page(const Book *book, char *const *names) {

@@ -29,6 +29,15 @@ static void say_list(const Book *book) {
         fprintf(stderr, "grade: roster: %d of %d handed in nothing\n", missing, book->list.count);
 }
 
+static void say_times(const Book *book) {
+    const int count = book->late.given ? book_count_by_files(book) : 0;
+    if (count > 0)
+        fprintf(stderr,
+                "grade: due: of %d only the files' times tell when they were handed in, which a student can set: "
+                "give a list with the learning system's times\n",
+                count);
+}
+
 static void say_stale(const Book *book) {
     const Table *table = book->table;
     const char *first = NULL;
@@ -63,6 +72,7 @@ bool gradebook_write(const Table *table, const ClassSettings *settings, void *co
     const bool compared = !ok || !wanted->copies || find_copies(table, settings);
     if (!settings->only) {
         say_list(&book);
+        say_times(&book);
         say_stale(&book);
     }
     book_close(&book);

@@ -90,7 +90,11 @@ rm "$output/overrides.csv"
 # Lateness: three days after the date and two hours, of them one free.
 late() { printf '{"due": {"03": "2026-11-02 10:00"}, "percent a day": 10%s}' "$1" >"$work/late.json"; gather --due "$work/late.json"; }
 late ', "free days": 1'
-is "late days" "$(row "Ann Lee" "lab 03" "lab 03 measured" note)" "1|70.00|100.00|lab 03: 4 days late, 1 of them free: 30.00 points off"
+is "late days" "$(row "Ann Lee" "lab 03" "lab 03 measured" note)" "1|70.00|100.00|lab 03: 4 days late by the files' times, 1 of them free: 30.00 points off"
+expect "whose times are trusted" 0 "due: of 4 only the files' times tell when they were handed in"
+is "each row says it" "$(row "Ann Lee" "handed in" "time by")" "1|$(date -d '2026-11-05 12:00' '+%Y-%m-%d %H:%M:%S %z')|files"
+is "who handed in nothing has no time" "$(row 104 "handed in" "time by")" "1||"
+grep -q "When 4 of them were handed in is known by the files' times only" "$output/index.html" && ok || bad "the page says it"
 late ', "at most percent": 25'
 is "at most" "$(row "Ann Lee" "lab 03")" "1|75.00"
 late ', "grace minutes": 120'
@@ -98,12 +102,17 @@ is "grace" "$(row "Ann Lee" "lab 03")" "1|70.00"
 printf 'student,lab,late,note\n101,03,0,ill\n' >"$work/overrides.csv"
 gather --overrides "$work/overrides.csv"
 is "days by hand" "$(row "Ann Lee" "lab 03")" "1|100.00"
+printf 'student,lab,late,note\n101,03,2,ill\n' >"$work/overrides.csv"
+gather --overrides "$work/overrides.csv"
+is "days by hand are by no clock" "$(row "Ann Lee" note)" "1|lab 03: 2 days late, 0 of them free: 20.00 points off"
 rm "$output"/{overrides.csv,due.json}
 sed 's/^\(Surname.*\)/\1;Last modified (submission)/; s/ann@.*/&;"Monday, 2 November 2026, 9:59 AM"/; s/zoe@.*/&;2026-11-02 10:00:01/; s/bo@.*/&;-/' "$work/roster.csv" >"$work/times.csv"
 late ''
 gather --roster "$work/times.csv"
 is "the list's time counts: in time" "$(row "Ann Lee" "lab 03")" "1|100.00"
 is "the list's time counts: a second late" "$(row zoe@example.org "lab 03")" "1|90.00"
+is "by the list" "$(row "Ann Lee" "time by")" "1|list"
+expect "of whom the list says nothing" 0 "due: of 2 only the files' times"
 rm "$output/due.json"
 
 # What learning systems import, field by field, and a page a student named by id.
