@@ -5,6 +5,7 @@
 #include "book/overrides.h"
 #include "book/student_list.h"
 #include "class/table.h"
+#include "copies/copies.h"
 
 enum { BOOK_NONE = -1, BOOK_TIME_TEXT = 40 };
 
@@ -48,6 +49,7 @@ typedef struct Book {
     LateRule late;
     BookRow *rows; // the table's entries in their order, then who handed in nothing, in the list's order
     int count;
+    const Copies *copies; // pairs with code in common; NULL: this run did not look for them
 } Book;
 
 // Appends to what people should know of a row.

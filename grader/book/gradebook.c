@@ -52,29 +52,32 @@ static void say_stale(const Book *book) {
                 first);
 }
 
-static bool find_copies(const Table *table, const ClassSettings *settings) {
-    int count;
-    if (!copies_write(table, settings, &count))
+static bool find_copies(Copies *copies, const Table *table, const ClassSettings *settings) {
+    if (!copies_find(copies, table, settings) || !copies_write(copies, table, settings->output))
         return false;
-    printf("%d pairs of hand-ins have code in common: %s/copies.csv\n", count, settings->output);
+    printf("%d pairs of hand-ins have code in common: %s/copies.csv\n", copies->count, settings->output);
     return true;
 }
 
 bool gradebook_write(const Table *table, const ClassSettings *settings, void *context) {
     const GradebookSettings *wanted = context;
     Book book;
+    Copies copies = {.count = 0};
     if (!book_open(&book, table, settings->output, &wanted->files))
         return false;
-    const bool ok = grades_csv_write(settings->output, &book) && write_page(&book, settings->output) &&
+    bool ok = grades_csv_write(settings->output, &book) &&
                     export_write(&book, settings->output, wanted->exports, wanted->no_points) &&
                     (!wanted->anonymous ||
                      anonymous_write(&book, settings->output, wanted->anonymous, wanted->no_points));
-    const bool compared = !ok || !wanted->copies || find_copies(table, settings);
+    const bool compared = !wanted->copies || !ok || find_copies(&copies, table, settings);
+    book.copies = wanted->copies && compared ? &copies : NULL;
+    ok = ok && write_page(&book, settings->output); // also where pairs could not be looked for
     if (!settings->only) {
         say_list(&book);
         say_times(&book);
         say_stale(&book);
     }
     book_close(&book);
+    copies_destroy(&copies);
     return ok && compared;
 }

@@ -204,7 +204,20 @@ PYTHON
 grades --class "$work/pairs" --output "$work/pairs-out" --lab 03 --only empty --copies
 expect "copies" 0 "1 pairs of hand-ins have code in common"
 is "the pair" "$(cat "$work/pairs-out/copies.csv")" 'lab,percent,equal,first,second
-03,100,equal,"one","two"'
+03,100,all but names,"one","two"'
+copies() { grades --class "$work/pairs" --output "$work/pairs-out" --gather --copies; }
+grep -q 'Code in common' "$work/pairs-out/index.html" && grep -qE '<td>03</td><td class="number">100</td><td>all but names</td><td class="name">one</td>' "$work/pairs-out/index.html" && ok ||
+    bad "the page shows the pair" "$(grep -A12 'Code in common' "$work/pairs-out/index.html")"
+cp -r "$work/pairs/one" "$work/pairs/wrong name" && sed -i 's/\<frame\>/frames/' "$work/pairs/wrong name/03-shadow-map/lab.c"
+cp -r "$work/pairs/one" "$work/pairs/<b>&same" && sed -i 's/$/ \/\/ mine/' "$work/pairs/<b>&same/03-shadow-map/lab.c"
+copies
+is "word for word comes before all but names" "$(sed -n '2p' "$work/pairs-out/copies.csv")" '03,100,every word,"<b>&same","one"'
+(($(grep -c 'all but names' "$work/pairs-out/copies.csv") >= 3)) && ok || bad "a wrong name" "$(cat "$work/pairs-out/copies.csv")"
+grep -q '<td class="name">&lt;b&gt;&amp;same</td>' "$work/pairs-out/index.html" && ! grep -q '<b>&same' "$work/pairs-out/index.html" && ok || bad "names of pairs are escaped"
+grades --class "$work/pairs" --output "$work/pairs-out" --gather
+grep -q 'Code in common' "$work/pairs-out/index.html" && bad "pairs of an earlier run are not shown as today's" || ok
+grades --class "$work/pairs" --output "$work/pairs-out" --gather --copies --anonymous "$work/pairs-secret.csv"
+grep -q 'Code in common' "$work/pairs-out/anonymous/index.html" && bad "pairs on the anonymous page" || ok
 
 # Two outputs side by side.
 cp -r "$output" "$work/newer"
