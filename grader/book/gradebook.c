@@ -8,6 +8,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+bool gradebook_gives_away(const GradebookSettings *wanted) {
+    bool away = wanted->anonymous;
+    for (int k = 0; k < EXPORT_KINDS; k++)
+        away = away || wanted->exports[k];
+    return away;
+}
+
+bool gradebook_is_asked_for(const GradebookSettings *wanted) {
+    const BookFiles *files = &wanted->files;
+    return files->roster || files->overrides || files->late || wanted->no_points || wanted->copies ||
+           gradebook_gives_away(wanted);
+}
+
 static bool write_page(const Book *book, const char *output) {
     char path[FILES_PATH], *page = class_page(book, NULL);
     files_join(path, output, "index.html");
@@ -32,10 +45,11 @@ static void say_list(const Book *book) {
 static void say_times(const Book *book) {
     const int count = book->late.given ? book_count_by_files(book) : 0;
     if (count > 0)
-        fprintf(stderr,
-                "grade: due: of %d only the files' times tell when they were handed in, which a student can set: "
-                "give a list with the learning system's times\n",
-                count);
+        fprintf(
+            stderr,
+            "grade: due: of %d only the files' times tell when they were handed in, which a student can set: "
+            "give a list with the learning system's times\n",
+            count);
 }
 
 static void say_stale(const Book *book) {
@@ -66,9 +80,9 @@ bool gradebook_write(const Table *table, const ClassSettings *settings, void *co
     if (!book_open(&book, table, settings->output, &wanted->files))
         return false;
     bool ok = grades_csv_write(settings->output, &book) &&
-                    export_write(&book, settings->output, wanted->exports, wanted->no_points) &&
-                    (!wanted->anonymous ||
-                     anonymous_write(&book, settings->output, wanted->anonymous, wanted->no_points));
+              export_write(&book, settings->output, wanted->exports, wanted->no_points) &&
+              (!wanted->anonymous ||
+               anonymous_write(&book, settings->output, wanted->anonymous, wanted->no_points));
     const bool compared = !wanted->copies || !ok || find_copies(&copies, table, settings);
     book.copies = wanted->copies && compared ? &copies : NULL;
     ok = ok && write_page(&book, settings->output); // also where pairs could not be looked for

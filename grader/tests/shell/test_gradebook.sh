@@ -38,6 +38,47 @@ grep -q '4 submissions, 4 graded, 0 not graded, 1 students handed in nothing' "$
 gather
 expect "OUT keeps the list" 0 "1 of 4 handed in nothing"
 
+# A dry run looks at the class and at the run, and changes nothing.
+state() { find "$output" "$class" -type f -exec md5sum {} + | sort; }
+dry() { grades --class "$class" "$@" --dry-run; }
+was=$(state)
+dry --output "$output" --resume --lab 03
+expect "a dry run of what is graded" 1 "Ann Lee (00101): Ann Lee_101_assignsubmission_file_" "was graded, 100.00 points: stays" "lab 03: 03-shadow-map: lab.c, shadow.frag" \
+    "! not on the roster" "handed in nothing: =Cmd()" "4 hand-ins: 0 to be graded, 0 graded again, 4 stay; 1 need a look (!); 1 of 4 on the list handed in nothing."
+printf '{"due": {"03": "2026-11-02 10:00"}, "percent a day": 10}' >"$work/dry.json"
+echo '// more' >>"$class/guest/03-shadow-map/lab.c"
+dry --output "$output" --resume --due "$work/dry.json"
+expect "a dry run of what changed" 1 "lab 03: 03-shadow-map (4 days late): lab.c, shadow.frag" "was graded, 0.00 points: again, with another submission" \
+    "handed in $(date -d '2026-11-05 12:00' '+%Y-%m-%d %H:%M:%S %z'), by the files' times, which a student can set" "0 to be graded, 1 graded again, 3 stay"
+sed -i '$d' "$class/guest/03-shadow-map/lab.c" && touch -d '2026-11-05 12:00' "$class/guest/03-shadow-map/lab.c"
+[[ $(state) == "$was" ]] && ok || bad "a dry run writes" "$(diff <(state) <(echo "$was"))"
+dry --output "$output"
+expect "a dry run says what the run would" 3 "holds a class run already"
+dry --lab 03
+expect "a dry run without an output" 0 "4 hand-ins: 4 to be graded; 0 need a look (!). Nothing was graded or written."
+dry --lab 04 --only guest
+expect "a lab that nobody handed in" 1 "1 hand-ins" "! not handed in: there is no folder 04-acne-and-bias"
+dry --lab 03 --only nobody
+expect "a dry run of nobody" 3 'holds no submission "nobody"'
+dry --lab 03 --output "$work/never" --roster "$work/roster.csv"
+[[ $status == 1 && ! -e $work/never && $out == *"1 of 4 on the list handed in nothing"* ]] && ok || bad "a dry run makes the output" "$out"
+for with in --gather --list --copies "--export canvas" "--anonymous $work/x"; do
+    dry --output "$output" $with
+    expect "a dry run and $with" 2 "--dry-run writes nothing"
+done
+odd=$work/odd
+mkdir -p "$odd"/$'new\nline\e[31m' "$odd/deep/a/b/c/d/e/f/g/h/i/j/k/l/m/03-shadow-map" "$odd/empty" "$odd/named/03-shadow-map" "$odd/two/03-shadow-map" "$odd/two/copy/03-shadow-map"
+mkfifo "$odd/pipe" "$odd/two/03-shadow-map/pipe" && ln -s /nowhere "$odd/dead" && ln -s /etc "$odd/link" && echo "no archive" >"$odd/bad.zip" && : >"$odd/empty.tar"
+for to in $'new\nline\e[31m' deep/a/b/c/d/e/f/g/h/i/j/k/l/m/03-shadow-map two/03-shadow-map two/copy/03-shadow-map; do cp labs/03-shadow-map/{lab.c,shadow.frag} "$odd/$to"; done
+ln "$odd/two/03-shadow-map/lab.c" "$odd/two/03-shadow-map/same.c"
+grades --class "$odd" --lab 03 --dry-run
+expect "odd hand-ins, looked at" 1 'new\x0aline\x1b[31m: new\x0aline\x1b[31m' "more than 12 folders deep nothing was looked for" "empty: empty" "! lab.c" "lab 03 is there twice" \
+    "lab.c is a hard link to another file" "ignored: pipe (not a file of this lab)" "ignored: pipe: is neither" "ignored: dead: is neither" "! the archive" "ignored: link: is neither"
+LC_ALL=C grep -q $'[\x1b]' <<<"$out" && bad "bytes of a name reach the terminal" || ok
+mkdir "$work/nobody-here"
+grades --class "$work/nobody-here" --lab 03 --dry-run
+expect "an empty class" 3 "holds no folder and no archive"
+
 # The log, and what is graded again: what changed, and only that.
 grep -qE '^[0-9-]+ [0-9:]+ Ann Lee_101_assignsubmission_file_: 100.00 of 100$' "$output/log" && ok || bad "the log" "$(cat "$output/log")"
 again() { grades --class "$class" --output "$output" --resume; }
