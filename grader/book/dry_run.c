@@ -123,6 +123,7 @@ static bool print_labs(Look *look, int i, time_t time) {
     bool made = false, found[COURSE_MAX_LABS] = {false};
     char path[FILES_PATH];
     Extracted opened = EXTRACT_FAULT;
+    check_clear();
     if (roster_fetch(roster, &roster->entries[i], path, &made))
         opened = submission_open(&submission, look->jail, path);
     if (opened == EXTRACT_BAD_ARCHIVE)
