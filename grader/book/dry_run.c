@@ -100,20 +100,19 @@ static bool print_lab(Look *look, const Submission *submission, int n, time_t ti
 
 static void print_missing(Look *look, const Submission *submission, const bool *found) {
     const RunSettings *plan = look->table->plan;
-    char text[NOTE + FILES_PATH];
+    char text[NOTE + FILES_PATH], names[COURSE_MAX_LABS * 4 + 1] = "";
     int missing = 0;
     for (int n = 0; n < plan->lab_count; n++)
         if (!found[n])
-            printf("%s%s", missing++ ? ", " : "    not found: lab ", plan->labs[n]);
-    if (missing)
-        puts("");
-    if (missing < plan->lab_count)
-        return;
+            check_append(names, sizeof names, "%s%s", missing++ ? ", " : "", plan->labs[n]);
     found_lab_missing(text, sizeof text, submission, &look->rubrics[0]);
-    warn(look, plan->lab_count == 1        ? text
-               : submission->why[0]        ? submission->why
-               : submission->lab_count > 0 ? "there is a lab.c, but nothing tells of which lab"
-                                           : "there is no folder of a lab");
+    if (missing > 0 && missing < plan->lab_count)
+        printf("    not found: lab %s\n", names);
+    else if (missing > 0)
+        warn(look, plan->lab_count == 1        ? text
+                   : submission->why[0]        ? submission->why
+                   : submission->lab_count > 0 ? "there is a lab.c, but nothing tells of which lab"
+                                               : "there is no folder of a lab");
 }
 
 // False with a message when we or the machine are to blame.

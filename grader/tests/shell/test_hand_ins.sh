@@ -4,6 +4,7 @@ set -u
 source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
 
+chmod 755 "$work" # the jail's user goes through it
 grader/tests/helpers/make_hand_ins "$work/class" >"$work/expected" || bad "make_hand_ins"
 
 # A dry run finds the same in each, says what keeps it from being graded, and writes nothing.
