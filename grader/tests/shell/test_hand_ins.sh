@@ -8,7 +8,7 @@ chmod 755 "$work" # the jail's user goes through it
 grader/tests/helpers/make_hand_ins "$work/class" >"$work/expected" || bad "make_hand_ins"
 
 # A dry run finds the same in each, says what keeps it from being graded, and writes nothing.
-listing() { find "$work/class" "$work/tmp" -printf '%p %s %T@ %m\n' | sort | md5sum; }
+listing() { { find "$work/class" -printf '%p %s %T@ %m\n'; find "$work/tmp" -mindepth 1; } | sort | md5sum; }
 mkdir "$work/tmp" && chmod 755 "$work/tmp"
 before=$(listing)
 status=0
