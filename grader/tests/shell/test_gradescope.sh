@@ -55,7 +55,7 @@ run
 [[ $(field 'all(t["output_format"] == "html" for t in r["tests"]), any("<img" in t["output"] and "src=\"data:image/png;base64,iVBOR" in t["output"] for t in r["tests"]), len(json.dumps(r)) < 2000000') == "(True, True, True)" ]] && ok || bad "pictures" "${out:0:2000}"
 [[ -z $(valid <<<'{"score": "all", "tests": []}') ]] && bad "the schema takes a score that is no number" || ok
 [[ $memory != 768 ]] || BOX=watcher run
-[[ $status == 1 && $(field 'r["score"]') == 0.0 ]] && ok || bad "in a box without privileges" "$out$(cat "$work/log")"
+[[ $status == 0 && $(field 'r["score"]') == 0.0 ]] && ok || bad "in a box without privileges" "$out$(cat "$work/log")"
 if [[ -n ${TRIAL:-} ]]; then
     cp "$BUILD/worker_address" "$AUTOGRADER/source/project/build"
     for lab in $(ls solutions | cut -c1-2) ""; do
