@@ -41,8 +41,7 @@ time_t book_time_of(const Student *student, time_t time, bool told, BookClock *c
 
 time_t book_time(const Book *book, const BookRow *row, BookClock *clock) {
     bool told = false;
-    const time_t time =
-        row->entry >= 0 ? submission_record_time(book->table->records[row->entry], &told) : 0;
+    const time_t time = row->entry >= 0 ? submission_record_time(book->table->records[row->entry], &told) : 0;
     return book_time_of(book_student(book, row), time, told, clock);
 }
 

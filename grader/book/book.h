@@ -20,15 +20,15 @@ typedef enum BookClock {
 
 // A student's points in a lab.
 typedef struct BookMark {
-    bool measured;  // there is a grade
-    bool handed_in; // ... of something
-    bool known;     // there are points, measured or given by hand
-    double score;   // measured
-    double points;  // what counts
-    double maximum; // 0 where nothing was measured
-    int late_days;  // in all
-    int free_days;  // of them
-    double taken;   // points that the lateness took
+    bool measured;   // there is a grade
+    bool handed_in;  // ... of something
+    bool known;      // there are points, measured or given by hand
+    double score;    // measured
+    double points;   // what counts
+    double maximum;  // 0 where nothing was measured
+    int late_days;   // in all
+    int free_days;   // of them
+    double taken;    // points that the lateness took
     bool days_given; // late_days are by hand
     bool overridden;
 } BookMark;

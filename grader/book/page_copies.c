@@ -39,10 +39,12 @@ void page_part_copies(ClassPage *page) {
     const Copies *copies = page->book->copies;
     if (!copies || page->names)
         return;
-    fputs("<h2>Code in common</h2>\n<p>A pair is a reason to look, and no proof. Percent are of what is neither "
-          "handed out nor how many write it; comments, layout and names are taken away. \"All but names\" may "
-          "have other points: a wrong name is no other code.</p>\n",
-          page->page.out);
+    fputs(
+        "<h2>Code in common</h2>\n<p>A pair is a reason to look, and no proof. Percent are of what is "
+        "neither "
+        "handed out nor how many write it; comments, layout and names are taken away. \"All but names\" may "
+        "have other points: a wrong name is no other code.</p>\n",
+        page->page.out);
     if (copies->count == 0)
         fputs("<p>No pair.</p>\n", page->page.out);
     else

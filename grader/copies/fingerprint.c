@@ -151,8 +151,8 @@ static bool holds(const CodePrint *given, uint64_t hash) {
 // The hashes of all grams that are not given.
 static CodePrint grams(const char *text, const CodePrint *given) {
     TokenList list = cut(text);
-    CodePrint all = {hash_bytes(HASH_START, list.tokens, sizeof *list.tokens * (size_t)list.count), list.named,
-                     calloc((size_t)list.count + 1, sizeof *all.hashes), 0};
+    CodePrint all = {hash_bytes(HASH_START, list.tokens, sizeof *list.tokens * (size_t)list.count),
+                     list.named, calloc((size_t)list.count + 1, sizeof *all.hashes), 0};
     INVARIANT(all.hashes);
     for (int i = 0; i + FINGERPRINT_GRAM <= list.count; i++) {
         const uint64_t hash = hash_bytes(HASH_START, list.tokens + i, sizeof *list.tokens * FINGERPRINT_GRAM);

@@ -10,10 +10,10 @@
 <<<<<<< HEAD
 #include "grade/record_report.h"
 #include "exam/exam_file.h"
-=======
+    =======
 #include "grade/progress.h"
 #include "exam/exam_seeds.h"
->>>>>>> main
+    >>>>>>> main
 #include "exam/handed_out.h"
 #include "report/evidence_files.h"
 #include "base/command_line.h"
@@ -29,7 +29,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { EXIT_ALL_PASSED, EXIT_NOT_ALL, EXIT_COULD_NOT = 3 }; // and EXIT_USAGE
+    enum {
+        EXIT_ALL_PASSED,
+        EXIT_NOT_ALL,
+        EXIT_COULD_NOT = 3
+    }; // and EXIT_USAGE
 
 typedef struct GradeCommand {
     const char *submission, *output;

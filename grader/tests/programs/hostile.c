@@ -86,14 +86,16 @@ static bool write_lab(const AttackCase *one) {
     FILE *file = head && tail ? fopen(path, "w") : NULL;
     if (file) {
         fprintf(file,
-                "#define ROOT \"%s\"\n#define SECRET \"%s\"\n#define HOST \"%s\"\n#define RESULT \"%s\"\n#define FOLDER \"%s\"\n"
+                "#define ROOT \"%s\"\n#define SECRET \"%s\"\n#define HOST \"%s\"\n#define RESULT "
+                "\"%s\"\n#define FOLDER \"%s\"\n"
                 "#define GRADER %ld\n#define OUTSIDE %d\n#define REPLY_BYTES %zu\n"
                 "#define ROOT_SOLUTION \"%s/solutions/03-shadow-map/lab.c\"\n"
                 "#define ROOT_RELATIVE \"../../../../../../../..%s/solutions/03-shadow-map/lab.c\"\n"
                 "#define QUOTED_SOLUTION \"\\\"%s/solutions/03-shadow-map/lab.c\\\"\"\n"
                 "%s#line 1 \"%s.c\"\n%s%s",
-                suite.root, suite.secret, host, suite.result, suite.folder, (long)getpid(), suite.jail == NULL,
-                sizeof(Reply), suite.root, suite.root, suite.root, head, one->name, one->text, tail);
+                suite.root, suite.secret, host, suite.result, suite.folder, (long)getpid(),
+                suite.jail == NULL, sizeof(Reply), suite.root, suite.root, suite.root, head, one->name,
+                one->text, tail);
         fclose(file);
     }
     free(head);
