@@ -7,13 +7,8 @@
 #include "intake/archive.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
-<<<<<<< HEAD
 #include "grade/record_report.h"
-#include "exam/exam_file.h"
-    =======
-#include "grade/progress.h"
 #include "exam/exam_seeds.h"
-    >>>>>>> main
 #include "exam/handed_out.h"
 #include "report/evidence_files.h"
 #include "base/command_line.h"
