@@ -24,11 +24,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-    enum {
-        EXIT_ALL_PASSED,
-        EXIT_NOT_ALL,
-        EXIT_COULD_NOT = 3
-    }; // and EXIT_USAGE
+enum { EXIT_ALL_PASSED, EXIT_NOT_ALL, EXIT_COULD_NOT = 3 }; // and EXIT_USAGE
 
 typedef struct GradeCommand {
     const char *submission, *output;
