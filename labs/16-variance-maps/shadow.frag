@@ -22,8 +22,8 @@ float variance_of(vec2 moments) {
 
 // At most this share of the depths in the filter is as far as `depth` or farther.
 float share_behind(vec2 moments, float depth) {
-    // TODO(16.3): this is the plain map's answer, with a hard border. Beyond the mean take Chebyshev's bound, which
-    // stands in the handout.
+    // TODO(16.3): this is the plain map's answer, with a hard border. Beyond the mean take Chebyshev's bound,
+    // which stands in the handout.
     return depth <= moments.x + 0.004 ? 1.0 : 0.0;
 }
 

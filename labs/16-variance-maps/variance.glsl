@@ -1,11 +1,12 @@
-// A shadow map that may be filtered: the mean of the depths and of their squares. Donnelly, Lauritzen: Variance Shadow
-// Maps, Symposium on Interactive 3D Graphics 2006.
+// A shadow map that may be filtered: the mean of the depths and of their squares. Donnelly, Lauritzen:
+// Variance Shadow Maps, Symposium on Interactive 3D Graphics 2006.
 
 uniform mat4 u_light_clip_from_world;
 uniform vec3 u_light_position_world, u_light_axis_world;
 uniform float u_light_near, u_light_far;
 
-// Given: the depth of a point: 0 at the light's near plane, 1 at its far plane, even between them for every light.
+// Given: the depth of a point: 0 at the light's near plane, 1 at its far plane, even between them for every
+// light.
 float depth_of(vec3 position_world) {
     float distance = dot(position_world - u_light_position_world, u_light_axis_world);
     return (distance - u_light_near) / (u_light_far - u_light_near);

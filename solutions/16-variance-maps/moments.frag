@@ -23,7 +23,7 @@ void main() {
         o_moments.y += 0.25 * dot(slope, slope);
     }
 #else
-    // TODO(16.4): only if u_slope: a texel of a tilted surface holds many depths. Add a quarter of the squared
-    // slope, along x and along y, to the second moment. Look up: dFdx.
+    // TODO(16.4): only if u_slope: a texel of a tilted surface holds many depths. Add a quarter of the
+    // squared slope, along x and along y, to the second moment. Look up: dFdx.
 #endif
 }

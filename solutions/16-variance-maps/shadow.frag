@@ -32,8 +32,8 @@ float share_behind(vec2 moments, float depth) {
     float variance = variance_of(moments), beyond = depth - moments.x;
     return variance / (variance + beyond * beyond);
 #else
-    // TODO(16.3): this is the plain map's answer, with a hard border. Beyond the mean take Chebyshev's bound, which
-    // stands in the handout.
+    // TODO(16.3): this is the plain map's answer, with a hard border. Beyond the mean take Chebyshev's bound,
+    // which stands in the handout.
     return depth <= moments.x + 0.004 ? 1.0 : 0.0;
 #endif
 }
