@@ -252,6 +252,22 @@ const models = {
         const two = { ...one, two: 1 }, step = 1e-3;
         near('14: two blockers, the false light', times(1600, (i) => (m.filtered(two, (i - 799.5) * step) - m.truth(two, (i - 799.5) * step)) * step).reduce((a, b) => a + b), 0.1, 1e-4);
     },
+    16(m) {
+        const state = { upper: [0, 3], lower: [5, 1], two: 0, width: 1, at: [0.25, 0], cut: 0 };
+        near('16: a quarter of the filter sees the plate', m.truth(state), 0.75);
+        all('16: one plate: the bound is the truth', 40, () => {
+            const any = { ...state, upper: [between(-0.6, 0.6), between(1.6, 3.6)], width: between(0.3, 2), at: [between(-0.2, 0.2), 0] };
+            return m.bound(any).light - m.truth(any);
+        });
+        // q = 1/4, a = 2, b = 1: 3/16 4 / (3/16 4 + 9/4) = 1/4, which is also a^2 / (a + 2 b)^2.
+        near('16: light under two plates', m.bound({ ...state, two: 1 }).light, 0.25);
+        near('16: the most of it', m.most({ ...state, two: 1 }), 0.25);
+        near('16: a cut at that leaves nothing', m.bound({ ...state, two: 1, cut: 0.25 }).left, 0);
+        all('16: no share bleeds more', 60, () => {
+            const any = { ...state, two: 1, upper: [between(-1, 1), between(1.6, 3.6)], lower: [5, between(0.2, 1.5)] };
+            return Math.max(0, m.bound(any).light - m.most(any));
+        });
+    },
 };
 
 // At any state, the extremes too, a figure has numbers and draws with them.
