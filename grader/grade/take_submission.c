@@ -16,6 +16,7 @@
 typedef struct Ignored {
     const Rubric *rubric;
     char taken[RUBRIC_MAX_FILES][FIND_FILE_NAME]; // under which name each file of the rubric lies there
+    char predictions[FIND_FILE_NAME];             // and what was predicted
     LabResult *result;
     int count;
 } Ignored;
@@ -24,6 +25,8 @@ static void find_files(Ignored *ignored, const char *folder) {
     for (int i = 0; i < ignored->rubric->file_count; i++)
         if (!find_file(ignored->taken[i], folder, ignored->rubric->files[i]))
             ignored->taken[i][0] = '\0';
+    if (!find_file(ignored->predictions, folder, PREDICTION_FILE))
+        ignored->predictions[0] = '\0';
 }
 
 // Is it taken for a file of the lab? Then, under another name, that is said.
@@ -43,7 +46,7 @@ static bool is_taken(const Ignored *ignored, const char *name) {
 
 static void note_ignored(const char *name, void *context) {
     Ignored *ignored = context;
-    if (is_taken(ignored, name) || name[0] == '.')
+    if (is_taken(ignored, name) || name[0] == '.' || strcmp(name, ignored->predictions) == 0)
         return;
     if (handed_out_has(ignored->rubric, name) || ++ignored->count > 8)
         return;

@@ -34,7 +34,7 @@ typedef struct Watch {
 typedef struct WatchCommand {
     char folder[FILES_PATH], lab[3]; // "": the first that is not done
     GradingOptions grading;
-    bool list, answer, begin_again;
+    bool list, answer, predict, begin_again;
 } WatchCommand;
 
 #define AT(field) offsetof(WatchCommand, field)
@@ -46,14 +46,16 @@ static const Option options[] = {
      AT(grading.context), option_context},
     {"list", 0, NULL, "print how far all labs are, and end", AT(list), option_flag},
     {"answer", 0, NULL, "print what a lab that is done has to tell, and end", AT(answer), option_flag},
+    {"predict", 0, NULL, "write the questions of a lab's predictions, with numbers of your own, and end",
+     AT(predict), option_flag},
     {"begin-again", 0, NULL, "note that the lab is not done, and end", AT(begin_again), option_flag},
     {0}};
 #undef AT
 
 static bool check(void *settings, const Operands *operands) {
     WatchCommand *command = settings;
-    if ((command->answer || command->begin_again) && !command->lab[0])
-        return check_fail("--answer and --begin-again go with --lab NN");
+    if ((command->answer || command->predict || command->begin_again) && !command->lab[0])
+        return check_fail("--answer, --predict and --begin-again go with --lab NN");
     return operands->count == 0 || realpath(operands->texts[0], command->folder) ||
            check_fail("%s is not a folder", operands->texts[0]);
 }
@@ -84,6 +86,9 @@ static void turn_to(Watch *watch, int lab) {
     watch->listing = false;
     watch->top = 0;
     watch->entered = watch->dirty = true;
+    bool drawn; // what cannot be written here is told when it is graded
+    lab_board_predict(&watch->board, lab, &drawn);
+    check_clear();
 }
 
 // Grades the current lab when it was saved or just chosen. Another lab that is saved becomes the current
@@ -232,11 +237,27 @@ static void print_list(Watch *watch) {
         printf("\n%s\n", watch->board.message);
 }
 
+static int predict(const LabBoard *board) {
+    char folder[FILES_PATH];
+    bool drawn;
+    lab_board_lab_folder(board, board->current, folder);
+    if (!lab_board_predict(board, board->current, &drawn)) {
+        fprintf(stderr, "watch: %s\n", check_message());
+        return EXIT_FAULT;
+    }
+    printf(drawn ? "%s/" PREDICTION_FILE " holds your questions: type each number in place of its ?\n"
+                 : "%s/" PREDICTION_FILE " has its questions, or numbers, already; it stays as it is\n",
+           folder);
+    return EXIT_DONE;
+}
+
 static int run(Watch *watch, const WatchCommand *command) {
     if (command->begin_again)
         return lab_board_begin_again(&watch->board, watch->board.current) ? EXIT_DONE : EXIT_FAULT;
     if (command->answer)
         return after_lab_print(&watch->board, isatty(STDOUT_FILENO) && watch->color) ? EXIT_DONE : EXIT_OPEN;
+    if (command->predict)
+        return predict(&watch->board);
     if (command->list) {
         print_list(watch);
         return EXIT_DONE;

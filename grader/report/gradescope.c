@@ -49,6 +49,22 @@ static json_t *test_json(const LabResult *lab, const CheckResult *check) {
                      "html", "visibility", "visible");
 }
 
+static json_t *predictions_json(const LabResult *lab) {
+    const Predictions *predictions = &lab->predictions;
+    const int points = predictions_points(predictions), most = predictions_max_points(predictions);
+    static char text[4000];
+    snprintf(text, sizeof text, "A lab passes without them. %s\n", predictions->message);
+    for (int n = 0; predictions->sheet && n < predictions->count; n++) {
+        const PredictionResult *result = &predictions->results[n];
+        check_append(text, sizeof text, "%c: %s %s\n", 'a' + n,
+                     result->right ? "right:" : "not right:", result->right ? result->typed : result->why);
+    }
+    return json_pack("{s:o, s:s, s:i, s:i, s:s, s:s, s:s, s:s}", "name",
+                     json_sprintf("Lab %s: predictions", lab->id), "number", lab->id, "score", points,
+                     "max_score", most, "status", points == most ? "passed" : "failed", "output", text,
+                     "output_format", "text", "visibility", "visible");
+}
+
 // What concerns a lab as a whole.
 static void add_words(char *text, size_t size, const LabResult *lab) {
     if (lab->summary[0])
@@ -68,6 +84,8 @@ json_t *report_gradescope(const Report *report) {
         add_words(words, sizeof words, lab);
         for (int c = 0; c < lab->check_count; c++)
             json_array_append_new(tests, test_json(lab, &lab->checks[c]));
+        if (lab->predictions.count > 0)
+            json_array_append_new(tests, predictions_json(lab));
     }
     json_t *seed = json_sprintf("%llu", (unsigned long long)report->seed);
     return json_pack("{s:f, s:f, s:s, s:s, s:s, s:s, s:{s:o, s:s, s:f}, s:o}", "score",
