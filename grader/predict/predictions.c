@@ -1,6 +1,7 @@
 #include "predict/predictions.h"
 
 #include "base/blame.h"
+#include "base/files.h"
 #include "base/find_file.h"
 #include "scene/check.h"
 

@@ -7,6 +7,7 @@
 #include "base/places.h"
 #include "exam/exam_file.h"
 #include "watch/after_lab.h"
+#include "watch/predict_first.h"
 #include "watch/screens.h"
 #include "watch/terminal.h"
 #include "watch/viewer.h"
@@ -86,9 +87,7 @@ static void turn_to(Watch *watch, int lab) {
     watch->listing = false;
     watch->top = 0;
     watch->entered = watch->dirty = true;
-    bool drawn; // what cannot be written here is told when it is graded
-    lab_board_predict(&watch->board, lab, &drawn);
-    check_clear();
+    predict_first_draw(&watch->board, lab);
 }
 
 // Grades the current lab when it was saved or just chosen. Another lab that is saved becomes the current
@@ -237,27 +236,13 @@ static void print_list(Watch *watch) {
         printf("\n%s\n", watch->board.message);
 }
 
-static int predict(const LabBoard *board) {
-    char folder[FILES_PATH];
-    bool drawn;
-    lab_board_lab_folder(board, board->current, folder);
-    if (!lab_board_predict(board, board->current, &drawn)) {
-        fprintf(stderr, "watch: %s\n", check_message());
-        return EXIT_FAULT;
-    }
-    printf(drawn ? "%s/" PREDICTION_FILE " holds your questions: type each number in place of its ?\n"
-                 : "%s/" PREDICTION_FILE " has its questions, or numbers, already; it stays as it is\n",
-           folder);
-    return EXIT_DONE;
-}
-
 static int run(Watch *watch, const WatchCommand *command) {
     if (command->begin_again)
         return lab_board_begin_again(&watch->board, watch->board.current) ? EXIT_DONE : EXIT_FAULT;
     if (command->answer)
         return after_lab_print(&watch->board, isatty(STDOUT_FILENO) && watch->color) ? EXIT_DONE : EXIT_OPEN;
     if (command->predict)
-        return predict(&watch->board);
+        return predict_first_print(&watch->board) ? EXIT_DONE : EXIT_FAULT;
     if (command->list) {
         print_list(watch);
         return EXIT_DONE;

@@ -5,7 +5,6 @@
 #include "compile/rubric_file.h"
 #include "base/places.h"
 #include "compile/todo.h"
-#include "predict/prediction_sheet.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -79,17 +78,6 @@ void lab_board_lab_folder(const LabBoard *board, int lab, char folder[FILES_PATH
     if (!places_find_lab_in(folder, board->folder, board->rubrics[lab].id))
         files_join(folder, board->folder, name);
     check_clear();
-}
-
-bool lab_board_predict(const LabBoard *board, int lab, bool *drawn) {
-    char folder[FILES_PATH];
-    const Rubric *rubric = &board->rubrics[lab];
-    *drawn = false;
-    lab_board_lab_folder(board, lab, folder);
-    if (rubric->prediction_count == 0)
-        return check_fail("lab %s has no predictions", rubric->id);
-    return files_check_folder(folder) && predictions_fit(rubric) &&
-           prediction_sheet_draw(rubric, folder, drawn);
 }
 
 // The task's place in its lab, from 1; 0 for a check about the whole lab.

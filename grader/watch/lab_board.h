@@ -54,10 +54,6 @@ bool lab_board_take(LabBoard *board, const LabVerdict *verdict);
 // Notes in the progress that a lab was put back to the skeleton: it has no points now. False with a message.
 bool lab_board_begin_again(LabBoard *board, int lab);
 
-// Puts a sheet of the student's own into a lab's predictions where there is none yet. `drawn` says whether it
-// did. False with a message, also for a lab without predictions.
-bool lab_board_predict(const LabBoard *board, int lab, bool *drawn);
-
 // The folder of a lab's files.
 void lab_board_lab_folder(const LabBoard *board, int lab, char folder[FILES_PATH]);
 

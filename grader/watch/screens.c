@@ -2,6 +2,7 @@
 #include "watch/screens.h"
 
 #include "watch/after_lab.h"
+#include "watch/predict_first.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -75,30 +76,6 @@ static void show_checks(Sheet *sheet, const LabBoard *board) {
     }
 }
 
-// Asked for before the first run; told afterwards.
-static void show_predictions(Sheet *sheet, const LabBoard *board) {
-    const Predictions *predictions = &board->verdict.predictions;
-    char folder[FILES_PATH];
-    if (predictions->count == 0)
-        return;
-    lab_board_lab_folder(board, board->current, folder);
-    const int most = predictions_max_points(predictions);
-    if (predictions_open(predictions))
-        sheet_line(sheet, STYLE_NOTE, "  Predict first: %.200s/" PREDICTION_FILE " (%d points)", folder,
-                   most);
-    else
-        sheet_line(sheet, STYLE_PLAIN, "  Predictions: %d of %d points", predictions_points(predictions),
-                   most);
-    if (predictions->message[0])
-        sheet_text(sheet, STYLE_BAD, 2, predictions->message);
-    for (int n = 0; n < predictions->count; n++) {
-        char text[1100];
-        snprintf(text, sizeof text, "%c: %s", 'a' + n, predictions->results[n].why);
-        if (predictions->results[n].typed[0] && !predictions->results[n].right)
-            sheet_text(sheet, STYLE_BAD, 2, text);
-    }
-}
-
 static void show_hints(Sheet *sheet, const LabBoard *board) {
     const Rubric *rubric = &board->rubrics[board->current];
     const int shown = lab_board_hints_shown(board);
@@ -154,7 +131,7 @@ void screens_lab(Sheet *sheet, const LabBoard *board, bool busy) {
         return;
     }
     const bool broken = is_broken(&board->verdict);
-    show_predictions(sheet, board);
+    predict_first_show(sheet, board);
     if (board->verdict.done)
         after_lab_show_done(sheet, board);
     if (!broken && !board->verdict.done)
