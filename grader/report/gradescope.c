@@ -49,20 +49,33 @@ static json_t *test_json(const LabResult *lab, const CheckResult *check) {
                      "html", "visibility", "visible");
 }
 
+// The lab's last test: what was predicted, a line each.
+static json_t *predictions_output(const Predictions *predictions) {
+    Page page = {0};
+    page.out = open_memstream(&page.text, &page.size);
+    INVARIANT(page.out);
+    add_line(&page, "A lab passes without them.");
+    add_line(&page, predictions->message);
+    for (int n = 0; predictions->sheet && n < predictions->count; n++) {
+        const PredictionResult *result = &predictions->results[n];
+        char text[1100];
+        snprintf(text, sizeof text, "%c: %s%s", 'a' + n, result->right ? "right: " : "",
+                 result->right ? result->typed : result->why);
+        add_line(&page, text);
+    }
+    fclose(page.out);
+    json_t *output = json_string(page.text);
+    free(page.text);
+    return output;
+}
+
 static json_t *predictions_json(const LabResult *lab) {
     const Predictions *predictions = &lab->predictions;
     const int points = predictions_points(predictions), most = predictions_max_points(predictions);
-    static char text[4000];
-    snprintf(text, sizeof text, "A lab passes without them. %s\n", predictions->message);
-    for (int n = 0; predictions->sheet && n < predictions->count; n++) {
-        const PredictionResult *result = &predictions->results[n];
-        check_append(text, sizeof text, "%c: %s %s\n", 'a' + n,
-                     result->right ? "right:" : "not right:", result->right ? result->typed : result->why);
-    }
-    return json_pack("{s:o, s:s, s:i, s:i, s:s, s:s, s:s, s:s}", "name",
+    return json_pack("{s:o, s:s, s:i, s:i, s:s, s:o, s:s, s:s}", "name",
                      json_sprintf("Lab %s: predictions", lab->id), "number", lab->id, "score", points,
-                     "max_score", most, "status", points == most ? "passed" : "failed", "output", text,
-                     "output_format", "text", "visibility", "visible");
+                     "max_score", most, "status", points == most ? "passed" : "failed", "output",
+                     predictions_output(predictions), "output_format", "html", "visibility", "visible");
 }
 
 // What concerns a lab as a whole.

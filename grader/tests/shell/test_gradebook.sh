@@ -43,7 +43,7 @@ grep -qE '^[0-9-]+ [0-9:]+ Ann Lee_101_assignsubmission_file_: 100.00 of 100$' "
 again() { grades --class "$class" --output "$output" --resume; }
 again
 [[ $status == 0 && $out != *again* ]] && ok || bad "nothing changed: nothing is graded again" "$out"
-cp solutions/03-shadow-map/{lab.c,shadow.frag} "$class/guest/03-shadow-map"
+cp solutions/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$class/guest/03-shadow-map"
 again
 expect "another submission" 0 "graded again: 1 with another submission than when they were graded"
 is "it is graded anew" "$(row guest "lab 03")" "1|100.00"
