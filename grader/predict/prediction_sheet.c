@@ -1,3 +1,4 @@
+// Writes the questions of a sheet, and puts one into a folder where nothing has been typed.
 #include "predict/prediction_sheet.h"
 
 #include "base/files.h"

@@ -1,3 +1,4 @@
+// Judges each number that stands in a submission, and tells what is wrong with the others.
 #include "predict/predictions.h"
 
 #include "base/blame.h"

@@ -1,3 +1,4 @@
+// The report as Gradescope reads it: a test a check, and one for the predictions of a lab.
 #include "report/report.h"
 
 #include "pages/page.h"
