@@ -3,6 +3,8 @@
 #include "predict/prediction_sheet.h"
 #include "scene/check.h"
 
+#include <string.h>
+
 static bool draw(const LabBoard *board, int lab, bool *drawn) {
     char folder[FILES_PATH];
     const Rubric *rubric = &board->rubrics[lab];
@@ -40,10 +42,11 @@ void predict_first_show(Sheet *sheet, const LabBoard *board) {
     if (predictions->count == 0)
         return;
     lab_board_lab_folder(board, board->current, folder);
+    const char *above = strrchr(board->folder, '/') ? strrchr(board->folder, '/') + 1 : board->folder;
     const int most = predictions_max_points(predictions);
     if (predictions_open(predictions))
-        sheet_line(sheet, STYLE_NOTE, "  Predict first: %.200s/" PREDICTION_FILE " (%d points)", folder,
-                   most);
+        sheet_line(sheet, STYLE_NOTE, "  Predict first: %.100s/%.100s/" PREDICTION_FILE " (%d points)", above,
+                   strrchr(folder, '/') + 1, most);
     else
         sheet_line(sheet, STYLE_PLAIN, "  Predictions: %d of %d points", predictions_points(predictions),
                    most);
