@@ -67,7 +67,7 @@ again
 expect "another rubric, another grader" 0 "graded again: 1 with another rubric of lab 03" "graded again: 1 with another grader"
 gather
 [[ $out != *today* ]] && ok || bad "all are of one rubric again" "$out"
-cp labs/03-shadow-map/{lab.c,shadow.frag} "$class/guest/03-shadow-map"
+cp labs/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$class/guest/03-shadow-map"
 grades --class "$class" --output "$output" --only guest
 is "--only makes the tables, too" "$(row guest "lab 03")" "1|0.00"
 
