@@ -208,7 +208,8 @@ bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, con
         return false;
     bool ok = predictions_take(&result->predictions, &examiner->rubric, submission) &&
               take_submission(result, &student, &examiner->rubric, submission);
-    result->score = predictions_points(&result->predictions);
+    if (result->message[0])
+        predictions_put_off(&result->predictions);
     if (ok && !result->message[0])
         ok = examine(result, examiner, &student, options);
     worker_client_stop(&student);

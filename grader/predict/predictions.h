@@ -32,6 +32,9 @@ void predictions_begin(Predictions *predictions, const Rubric *rubric);
 // False with a message when the machine is to blame.
 bool predictions_take(Predictions *predictions, const Rubric *rubric, const char *folder);
 
+// Takes the verdict back, for a lab that cannot be graded as a whole: no points, and that this is why.
+void predictions_put_off(Predictions *predictions);
+
 // The points of those that are right.
 int predictions_points(const Predictions *predictions);
 

@@ -131,7 +131,8 @@ void screens_lab(Sheet *sheet, const LabBoard *board, bool busy) {
         return;
     }
     const bool broken = is_broken(&board->verdict);
-    predict_first_show(sheet, board);
+    if (!broken)
+        predict_first_show(sheet, board);
     if (board->verdict.done)
         after_lab_show_done(sheet, board);
     if (!broken && !board->verdict.done)
