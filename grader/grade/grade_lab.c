@@ -128,6 +128,8 @@ static bool passes(const LabResult *result, const Exam *exam) {
 }
 
 void grade_pictures(LabResult *result, Exam *exam) {
+    if (!result_was_drawn(result))
+        predictions_put_off(&result->predictions);
     result->score = predictions_points(&result->predictions);
     for (int c = 0; c < result->check_count; c++) {
         score_check(&result->checks[c], exam, c);
