@@ -96,7 +96,8 @@ void predictions_put_off(Predictions *predictions) {
     for (int n = 0; n < predictions->count; n++)
         predictions->results[n] = (PredictionResult){.points = predictions->results[n].points};
     predictions->sheet = 0;
-    snprintf(predictions->message, sizeof predictions->message, "they are judged once the lab compiles and draws");
+    snprintf(predictions->message, sizeof predictions->message,
+             "they are judged once the lab compiles and draws");
 }
 
 int predictions_points(const Predictions *predictions) {
