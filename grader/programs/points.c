@@ -105,11 +105,8 @@ int main(int count, char **arguments) {
     static PointsCommand command;
     static Points points;
     char folder[FILES_PATH];
-    if (!option_context_of_environment(&command.context, "points")) {
-        command_line_complain(&command_line, check_message());
-        return 2;
-    }
     command_line_take(&command_line, &command, count, arguments);
+    command_line_settle_context(&command_line, &command.context);
     signal(SIGPIPE, SIG_IGN);
     const bool known = places_find_lab(folder, command.lab) && rubric_load(&points.rubric, folder) &&
                        recorded_study_load(&points.study, &points.rubric);

@@ -184,7 +184,7 @@ static bool record_lab(const RecordStudy *command) {
     files_join(recorder.folder, command->output, strrchr(ours, '/') + 1);
     check_append(recorder.folder, sizeof recorder.folder, "/");
     ok = ok && files_make_folder(recorder.folder) &&
-         lab_artist_open_measured(&recorder.artist, command->lab, CONTEXT_OSMESA);
+         lab_artist_open_measured(&recorder.artist, command->lab, CONTEXT_ANY);
     for (int i = 0; ok && study_scene(i); i++)
         if (concerns(study_scene(i), command->lab))
             ok = record_scene(&recorder, study_scene(i), command->lab, scenes);
@@ -218,7 +218,9 @@ static const CommandLine command_line = {
 
 int main(int count, char **arguments) {
     static RecordStudy command;
+    ContextKind drawing = CONTEXT_ANY; // it stays so: only who asks for EGL gets a GPU's times
     command_line_take(&command_line, &command, count, arguments);
+    command_line_settle_context(&command_line, &drawing);
     signal(SIGPIPE, SIG_IGN);
     if (record_lab(&command))
         return 0;
