@@ -154,7 +154,7 @@ static void press_in_lab(Watch *watch, int key) {
     else if (key == 'n')
         go_on(watch);
     else if (key == 'r')
-        viewer_open(&watch->viewer, board->rubrics[board->current].id, board->message, sizeof board->message);
+        viewer_open(&watch->viewer, board);
     else if (key == KEY_DOWN || key == KEY_UP)
         watch->top += key == KEY_DOWN ? SCROLL : -SCROLL;
     else if (key == 'l') {
