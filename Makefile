@@ -31,6 +31,9 @@ watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress:
 answer: $(BUILD)/watch ## of a lab that is done: its idea, the answer to its question, what to try: make answer LAB=03
 	@$(if $(LAB),,echo "which lab? make answer LAB=03" >&2; exit 2;) $(BUILD)/watch $(LAB_OPTION) --answer || [ $$? = 1 ]
 
+predictions: $(BUILD)/watch ## the numbers to work out before a lab runs, your own ones: make predictions LAB=03
+	@$(if $(LAB),,echo "which lab? make predictions LAB=03" >&2; exit 2;) $(BUILD)/watch $(LAB_OPTION) --predict $(SUBMISSION)
+
 progress: $(BUILD)/watch ## how far am I in all labs?
 	@$(BUILD)/watch --list
 
