@@ -65,13 +65,13 @@ static void write_evidence(Page *page, const LabResult *lab, int c) {
     fputs("</h3>\n<figure>\n<div><div class=\"compare\">", page->out);
     page_picture(page, &parts[EVIDENCE_YOURS], "yours", "yours");
     page_picture(page, &parts[EVIDENCE_REFERENCE], "reference", "reference");
-    fprintf(
-        page->out,
-        "</div><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" data-compare aria-valuetext=\"50 %% "
-        "yours, 50 %% reference\" aria-label=\"%s: how much of yours is seen\"><div "
-        "class=\"ends\"><span>left of "
-        "the line: yours</span><span>right: reference</span></div></div>\n<div>",
-        check->check->task);
+    fprintf(page->out,
+            "</div><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" data-compare=\"yours|reference\" "
+            "aria-valuetext=\"50 %% "
+            "yours, 50 %% reference\" aria-label=\"%s: how much of yours is seen\"><div "
+            "class=\"ends\"><span>left of "
+            "the line: yours</span><span>right: reference</span></div></div>\n<div>",
+            check->check->task);
     page_picture(page, &parts[EVIDENCE_DIFFERENCE], "difference", "difference");
     fputs("<span class=\"quiet\">difference</span></div>\n<div>", page->out);
     page_picture(page, &parts[EVIDENCE_CROP], "crop",
