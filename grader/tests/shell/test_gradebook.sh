@@ -28,8 +28,8 @@ PYTHON
 is() { [[ $2 == "$3" ]] && ok || bad "$1" "$2, not $3"; }
 
 # A class with a list: everybody has a row, by number or by name, and the means are of those who handed in.
-grades --class "$class" --output "$output" --lab 03 --seed 4 --roster "$work/roster.csv"
-expect "a class with a list" 0 'roster: "guest": not on the roster' "1 of 4 handed in nothing" "4 submissions, 0 not graded"
+grades --class "$class" --output "$output" --lab 03 --seed 4 --roster "$work/roster.csv" --copies
+expect "a class with a list, and copies in the same run" 0 "pairs of hand-ins have code in common" 'roster: "guest": not on the roster' "1 of 4 handed in nothing" "4 submissions, 0 not graded"
 is "by number, without zeros" "$(row "Ann Lee" "lab 03" status id note)" "1|100.00|passed|00101|"
 is "by name, with accents" "$(row "Zoë Ñandú" "lab 03" id)" "1|100.00|zoe@example.org"
 is "who handed in nothing" "$(row 104 student "lab 03" total status submission)" "1|'=Cmd()|||not handed in|"
@@ -84,7 +84,7 @@ grep -qE '^[0-9-]+ [0-9:]+ Ann Lee_101_assignsubmission_file_: 100.00 of 100$' "
 again() { grades --class "$class" --output "$output" --resume; }
 again
 [[ $status == 0 && $out != *again* ]] && ok || bad "nothing changed: nothing is graded again" "$out"
-cp solutions/03-shadow-map/{lab.c,shadow.frag} "$class/guest/03-shadow-map"
+cp solutions/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$class/guest/03-shadow-map"
 again
 expect "another submission" 0 "graded again: 1 with another submission than when they were graded"
 is "it is graded anew" "$(row guest "lab 03")" "1|100.00"
@@ -108,7 +108,7 @@ again
 expect "another rubric, another grader" 0 "graded again: 1 with another rubric of lab 03" "graded again: 1 with another grader"
 gather
 [[ $out != *today* ]] && ok || bad "all are of one rubric again" "$out"
-cp labs/03-shadow-map/{lab.c,shadow.frag} "$class/guest/03-shadow-map"
+cp labs/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$class/guest/03-shadow-map"
 grades --class "$class" --output "$output" --only guest
 is "--only makes the tables, too" "$(row guest "lab 03")" "1|0.00"
 

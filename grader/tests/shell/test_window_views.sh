@@ -77,6 +77,20 @@ lines=$(compare -metric AE "$work/wanted.png" "$work/frustum.png" null: 2>&1) te
 status=0 out=$("$view" --lab 03 --light moon 2>&1) || status=$?
 expect "another light" 2 "takes frustum or texels"
 
+# The check that a watch opens the window on.
+shot --check 3.1
+cp "$work/shot.png" "$work/check.png"
+read -r of view_of < <(python3 -c 'import json, sys
+check = next(c for c in json.load(open(sys.argv[1]))["checks"] if c["task"] == "3.1")
+scene = check["scene"] if isinstance(check["scene"], str) else check["scene"][0]
+print(scene.replace(" ", "_"), check["view"].replace(" ", "_"))' "$root/solutions/03-shadow-map/rubric.json")
+shot --scene "${of//_/ }" --view "${view_of//_/ }" --knob "map size=$(python3 -c 'import json, sys
+knob = next(c for c in json.load(open(sys.argv[1]))["checks"] if c["task"] == "3.1").get("knobs", {}).get("map size", 512)
+print(knob[0] if isinstance(knob, list) else knob)' "$root/solutions/03-shadow-map/rubric.json")"
+same "$work/check.png" "$work/shot.png" && ok || bad "a check's scene, view and knobs"
+shot --check 3.99
+expect "a check of no task" 1 'lab 03 has no check of a task "3.99"'
+
 # Keys, also before there is a frame; another size while the truth is drawn.
 open_window
 keys x g g
@@ -97,7 +111,23 @@ fi
     bad "two windows at once" "$(cat "$work/second")"
 close_window
 
+# The names at the split, and the legend, come and go with the text (key H).
+lettered() { # AREA: white letters stand on the dark ground there
+    picture && [[ $(convert "$work/now.png" -crop "$1" +repage -colorspace gray -format '%[fx:minima < 0.2 && maxima > 0.95 && mean < 0.5]' info:) == 1 ]]
+}
+size=640x480 lab=07 scene=nested open_window --show split --view "stencil counts" --knob method=1
+wait_for "the split" titled "mine | reference"
+wait_for "both pictures" picture
+sleep 1
+lettered 90x20+324+241 && bad "names without text" || ok
+keys h
+wait_for "yours" lettered 60x20+254+241
+wait_for "reference" lettered 90x20+324+241
+wait_for "the legend" lettered 120x160+525+160
+close_window
+
 # Labs that do not draw: a reason, and no picture.
+lab=03 scene="table spot" size=240x180
 solved broken >/dev/null
 echo 'int x = "text" +;' >>"$work/broken/03-shadow-map/lab.c"
 rm -f "$work/shot.png"
