@@ -75,16 +75,22 @@ static Verdict judge(const LabResult *result, bool passes) {
     return passes ? VERDICT_SURVIVED : VERDICT_KILLED;
 }
 
+// Who draws the lab that was built into this folder.
+static WorkerClient make_worker(const Court *court, const char *folder) {
+    WorkerClient worker = {.trust = TRUST_OURS,
+                           .context = court->exam->painters->context,
+                           .quick_shaders = true,
+                           .each_turn = true,
+                           .seconds = CHECK_SECONDS};
+    snprintf(worker.folder, sizeof worker.folder, "%s", folder);
+    return worker;
+}
+
 static void examine(const Court *court, const Mutant *mutant, const char *folder, Verdict *verdict,
                     char told[TRIAL_TEXT]) {
     static LabResult result;
     static WorkerClient worker;
-    worker = (WorkerClient){.trust = TRUST_OURS,
-                            .context = court->exam->painters->context,
-                            .quick_shaders = true,
-                            .each_turn = true,
-                            .seconds = CHECK_SECONDS};
-    snprintf(worker.folder, sizeof worker.folder, "%s", folder);
+    worker = make_worker(court, folder);
     grade_begin(&result, court->rubric);
     const bool passes = passes_all(&result, court, mutant, &worker);
     *verdict = judge(&result, passes);
@@ -93,19 +99,69 @@ static void examine(const Court *court, const Mutant *mutant, const char *folder
     result_destroy_lab(&result);
 }
 
-bool trial_run(const Court *court, const Mutant *mutant, Verdict *verdict, char told[TRIAL_TEXT]) {
-    char sources[FILES_PATH], folder[FILES_PATH];
+// Makes both folders and builds the lab with the change. False with a message: a fault of ours.
+static bool make(const Court *court, const Mutant *mutant, char sources[FILES_PATH], char folder[FILES_PATH],
+                 Verdict *verdict) {
     *verdict = VERDICT_OPEN;
-    told[0] = '\0';
     if (!files_make_temporary(sources))
         return false;
     if (!files_make_temporary(folder)) {
         files_remove(sources);
         return false;
     }
-    const bool ok = write_sources(court, mutant, sources) && build(court, sources, folder, verdict);
+    return write_sources(court, mutant, sources) && build(court, sources, folder, verdict);
+}
+
+bool trial_run(const Court *court, const Mutant *mutant, Verdict *verdict, char told[TRIAL_TEXT]) {
+    char sources[FILES_PATH] = "", folder[FILES_PATH] = "";
+    told[0] = '\0';
+    const bool ok = make(court, mutant, sources, folder, verdict);
     if (ok && *verdict == VERDICT_OPEN)
         examine(court, mutant, folder, verdict, told);
+    files_remove(sources);
+    files_remove(folder);
+    return ok;
+}
+
+// Does the lab pass this check of this exam? Who crashes or takes too long does not, and is not *alive.
+static bool passes_check(const Court *court, Exam *exam, WorkerClient *worker, int c, bool *alive) {
+    static LabResult result;
+    grade_begin(&result, court->rubric);
+    worker_client_begin(worker);
+    const bool passes = grade_check(&result, exam, worker, c);
+    *alive = *alive && !result.message[0];
+    result_destroy_lab(&result);
+    return passes && *alive;
+}
+
+static Loss lose(const Court *court, const Absence *absence, WorkerClient *worker, const bool *fails) {
+    int failing = 0, lost = 0;
+    bool alive = true;
+    for (int c = 0; c < court->rubric->check_count; c++) {
+        failing += fails[c];
+        lost +=
+            fails[c] && absence_concerns(absence, c) && passes_check(court, absence->exam, worker, c, &alive);
+    }
+    return lost == 0 ? LOSS_NONE : lost < failing ? LOSS_CHECK : LOSS_KILL;
+}
+
+bool trial_without(const Court *court, const Mutant *mutant, const Absence *absences, int count,
+                   char *losses) {
+    static WorkerClient worker;
+    char sources[FILES_PATH] = "", folder[FILES_PATH] = "";
+    bool fails[RUBRIC_MAX_CHECKS], alive = true;
+    Verdict verdict;
+    memset(losses, LOSS_NONE, (size_t)count);
+    losses[count] = '\0';
+    const bool ok = make(court, mutant, sources, folder, &verdict);
+    if (ok && verdict == VERDICT_OPEN) {
+        worker = make_worker(court, folder);
+        for (int c = 0; alive && c < court->rubric->check_count; c++)
+            fails[c] = !passes_check(court, court->exam, &worker, c, &alive);
+        for (int i = 0; alive && i < count; i++)
+            losses[i] = (char)lose(court, &absences[i], &worker, fails);
+        worker_client_stop(&worker);
+    }
     files_remove(sources);
     files_remove(folder);
     return ok;
