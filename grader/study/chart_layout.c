@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+static const double LETTER = 0.58; // mean width of a letter, of the font's size
+
 double layout_place(const LayoutAxis *axis, double value) {
     return axis->from + log(value / axis->low) / log(axis->high / axis->low) * (axis->to - axis->from);
 }
@@ -47,26 +49,77 @@ static void place_mark(LayoutPoint *points, int i, LayoutBox plot) {
         }
 }
 
-static bool label_fits(const LayoutPoint *points, int count, int i, LayoutBox plot) {
-    LayoutBox text = points[i].text;
-    bool fits = is_within(text, plot);
-    for (int j = 0; fits && j < count; j++)
-        fits = !points[j].drawn || (!overlap(text, mark_box(points[j].mark_x, points[j].mark_y)) &&
-                                    !(points[j].labelled && overlap(text, points[j].text)));
+static LayoutBox text_box(double x, double y, const char *text, double size) {
+    double width = LETTER * size * (double)strlen(text), height = 0.9 * size;
+    return (LayoutBox){x - width / 2, y - height / 2, x + width / 2, y + height / 2};
+}
+
+static bool hides_mark(const LayoutPoint *points, int count, LayoutBox text) {
+    for (int i = 0; i < count; i++)
+        if (points[i].drawn && overlap(text, mark_box(points[i].mark_x, points[i].mark_y)))
+            return true;
+    return false;
+}
+
+static bool hides_name(const LayoutName *names, int count, LayoutBox text) {
+    for (int i = 0; i < count; i++)
+        if (overlap(text, names[i].box))
+            return true;
+    return false;
+}
+
+// Where none of its places is free it stands at the right end above its line.
+static void place_name(const LayoutPoint *points, int point_count, LayoutBox plot, double size,
+                       LayoutName *names, int i) {
+    enum { STEPS = 16 };
+    LayoutBox first = text_box(0, 0, names[i].text, size);
+    const double half = first.right, room = plot.right - plot.left - 8 - 2 * half;
+    for (int step = 0; step < STEPS; step++)
+        for (int side = -1; side <= 1; side += 2) {
+            LayoutBox box = text_box(plot.right - 4 - half - room * step / (STEPS - 1),
+                                     names[i].y + side * 0.75 * size, names[i].text, size);
+            if (step == 0 && side < 0)
+                names[i].box = box;
+            if (is_within(box, plot) && !hides_mark(points, point_count, box) && !hides_name(names, i, box)) {
+                names[i].box = box;
+                return;
+            }
+        }
+}
+
+void layout_names(const LayoutPoint *points, int point_count, LayoutBox plot, double size, LayoutName *names,
+                  int count) {
+    for (int i = 0; i < count; i++)
+        place_name(points, point_count, plot, size, names, i);
+}
+
+// What is around the labels.
+typedef struct Crowd {
+    LayoutPoint *points;
+    const LayoutName *names;
+    int count, name_count;
+    LayoutBox plot;
+    double size;
+} Crowd;
+
+static bool label_fits(const Crowd *crowd, LayoutBox text) {
+    bool fits = is_within(text, crowd->plot) && !hides_mark(crowd->points, crowd->count, text) &&
+                !hides_name(crowd->names, crowd->name_count, text);
+    for (int j = 0; fits && j < crowd->count; j++)
+        fits = !crowd->points[j].labelled || !overlap(text, crowd->points[j].text);
     return fits;
 }
 
-static void place_label(LayoutPoint *points, int count, int i, double size, LayoutBox plot) {
+static void place_label(const Crowd *crowd, LayoutPoint *point) {
     static const double sides[][2] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {-1, -1}, {1, 1}, {-1, 1}};
-    LayoutPoint *point = &points[i];
-    double width = 0.58 * size * (double)strlen(point->label), height = 0.9 * size, gap = LAYOUT_MARK + 1;
-    for (int s = 0; s < 8; s++) {
-        double x = point->mark_x + sides[s][0] * (gap + width / 2),
-               y = point->mark_y + sides[s][1] * (gap + height / 2);
-        point->text = (LayoutBox){x - width / 2, y - height / 2, x + width / 2, y + height / 2};
-        point->labelled = label_fits(points, count, i, plot);
-        if (point->labelled)
-            return;
+    const LayoutBox first = text_box(0, 0, point->label, crowd->size);
+    const double gap = LAYOUT_MARK + 1;
+    for (int s = 0; s < 8 && !point->labelled; s++) {
+        LayoutBox text =
+            text_box(point->mark_x + sides[s][0] * (gap + first.right),
+                     point->mark_y + sides[s][1] * (gap + first.bottom), point->label, crowd->size);
+        point->labelled = label_fits(crowd, text);
+        point->text = text;
     }
 }
 
@@ -74,8 +127,8 @@ static int rank(const SceneFindings *findings, int i) {
     return findings->findings[i].chosen ? 0 : findings->points[i].on_front ? 1 : 2;
 }
 
-void layout_points(const SceneFindings *findings, const LayoutAxis *time, const LayoutAxis *error,
-                   LayoutBox plot, double size, LayoutPoint points[METHOD_MOST]) {
+void layout_marks(const SceneFindings *findings, const LayoutAxis *time, const LayoutAxis *error,
+                  LayoutBox plot, LayoutPoint points[METHOD_MOST]) {
     for (int i = 0; i < findings->count; i++) {
         const Point *point = &findings->points[i];
         points[i] = (LayoutPoint){.drawn = points[i].drawn};
@@ -86,8 +139,14 @@ void layout_points(const SceneFindings *findings, const LayoutAxis *time, const 
         label_write(findings->findings[i].method.name, points[i].label);
         place_mark(points, i, plot);
     }
+}
+
+void layout_labels(const SceneFindings *findings, LayoutBox plot, double size, const LayoutName *names,
+                   int name_count, LayoutPoint points[METHOD_MOST]) {
+    const Crowd crowd = {points, names, findings->count, name_count, plot, size};
     for (int wanted = 0; wanted <= 2; wanted++)
         for (int i = 0; i < findings->count; i++)
-            if (points[i].drawn && rank(findings, i) == wanted)
-                place_label(points, findings->count, i, size, plot);
+            if (points[i].drawn && rank(findings, i) == wanted &&
+                strcmp(findings->findings[i].method.family, METHOD_BARE) != 0)
+                place_label(&crowd, &points[i]);
 }
