@@ -60,10 +60,10 @@ static void describe_worth(char why[POWER_TEXT], const LabChanges *changes, cons
         lab_changes_describe(change, changes, worth->example);
     for (char *at = change; *at; at++)
         *at = *at == '|' ? '/' : *at; // a table's cells end there
-    if (worth->killed > 0)
+    if (worth->unfit)
+        snprintf(why, POWER_TEXT, "a check would not be asked");
+    else if (worth->killed > 0)
         snprintf(why, POWER_TEXT, "%d small changes would pass, as `%.200s`", worth->killed, change);
-    else if (worth->noticed > 0)
-        snprintf(why, POWER_TEXT, "a check would pass %d small changes, as `%.200s`", worth->noticed, change);
 }
 
 static bool print_worths(SceneTable *table, const char *id) {

@@ -27,20 +27,14 @@ static void work(Outcome *outcome, void *context) {
         snprintf(outcome->reason, sizeof outcome->reason, "%.300s", check_message());
 }
 
-static void take(ObjectWorth *worth, Loss loss, int change) {
-    if (loss == LOSS_NONE)
-        return;
-    if (worth->killed + worth->noticed == 0 || (loss == LOSS_KILL && worth->killed == 0))
-        worth->example = change;
-    worth->killed += loss == LOSS_KILL;
-    worth->noticed += loss == LOSS_CHECK;
-}
-
 static void finished(const Outcome *outcome, void *context) {
     Search *search = context;
     progress_bar_step(&search->bar, NULL, !outcome->done);
     for (int i = 0; outcome->done && i < search->count; i++)
-        take(&search->worths[i], (Loss)outcome->reason[i], outcome->job);
+        if (outcome->reason[i] == LOSS_KILL) {
+            search->worths[i].killed++;
+            search->worths[i].example = outcome->job;
+        }
     if (outcome->done || search->broken)
         return;
     char text[CHANGE_TEXT];

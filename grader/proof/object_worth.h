@@ -11,8 +11,7 @@ typedef struct ObjectWorth {
     int thing;   // an object, or behind SCENE_MAX_OBJECTS a light
     bool unfit;  // without it the grader would not ask a variant
     int killed;  // changes that are killed with it and survive without it
-    int noticed; // others, of which a check that fails with it would pass without it
-    int example; // one of these changes, rather of the former: its number in the lab's; -1: none
+    int example; // one of them, its number in the lab's; -1: none
 } ObjectWorth;
 
 enum { OBJECT_WORTH_MOST = 128 };

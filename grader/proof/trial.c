@@ -134,32 +134,46 @@ static bool passes_check(const Court *court, Exam *exam, WorkerClient *worker, i
     return passes && *alive;
 }
 
-static Loss lose(const Court *court, const Absence *absence, WorkerClient *worker, const bool *fails) {
-    int failing = 0, lost = 0;
-    bool alive = true;
-    for (int c = 0; c < court->rubric->check_count; c++) {
-        failing += fails[c];
-        lost +=
-            fails[c] && absence_concerns(absence, c) && passes_check(court, absence->exam, worker, c, &alive);
+// The change fails this check: of the things that may matter, those stay without which it passes.
+static bool lose(const Court *court, const Absence *absences, int count, int c, WorkerClient *worker,
+                 char *losses) {
+    bool alive = true, any = false;
+    for (int i = 0; i < count; i++) {
+        if (losses[i] == LOSS_KILL &&
+            !(absence_concerns(&absences[i], c) && passes_check(court, absences[i].exam, worker, c, &alive)))
+            losses[i] = LOSS_NONE;
+        any = any || losses[i] == LOSS_KILL;
     }
-    return lost == 0 ? LOSS_NONE : lost < failing ? LOSS_CHECK : LOSS_KILL;
+    return any;
+}
+
+// The checks of the change's task first, as passes_all has it.
+static void examine_without(const Court *court, const Mutant *mutant, const Absence *absences, int count,
+                            WorkerClient *worker, char *losses) {
+    bool alive = true, any = count > 0, killed = false;
+    memset(losses, LOSS_KILL, (size_t)count);
+    for (int others = 0; others < 2; others++)
+        for (int c = 0; any && alive && c < court->rubric->check_count; c++)
+            if (is_of(&court->rubric->checks[c], mutant) == !others &&
+                !passes_check(court, court->exam, worker, c, &alive)) {
+                killed = true;
+                any = alive && lose(court, absences, count, c, worker, losses);
+            }
+    if (!any || !alive || !killed)
+        memset(losses, LOSS_NONE, (size_t)count);
 }
 
 bool trial_without(const Court *court, const Mutant *mutant, const Absence *absences, int count,
                    char *losses) {
     static WorkerClient worker;
     char sources[FILES_PATH] = "", folder[FILES_PATH] = "";
-    bool fails[RUBRIC_MAX_CHECKS], alive = true;
     Verdict verdict;
     memset(losses, LOSS_NONE, (size_t)count);
     losses[count] = '\0';
     const bool ok = make(court, mutant, sources, folder, &verdict);
     if (ok && verdict == VERDICT_OPEN) {
         worker = make_worker(court, folder);
-        for (int c = 0; alive && c < court->rubric->check_count; c++)
-            fails[c] = !passes_check(court, court->exam, &worker, c, &alive);
-        for (int i = 0; alive && i < count; i++)
-            losses[i] = (char)lose(court, &absences[i], &worker, fails);
+        examine_without(court, mutant, absences, count, &worker, losses);
         worker_client_stop(&worker);
     }
     files_remove(sources);

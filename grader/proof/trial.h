@@ -34,12 +34,11 @@ void court_close(Court *court); // accepts a zeroed court; the exam is not its o
 // nothing. False with a message: a fault of ours.
 bool trial_run(const Court *court, const Mutant *mutant, Verdict *verdict, char told[TRIAL_TEXT]);
 
-// What an object's absence does to the verdict of a change: nothing; a check that fails passes without the
-// object; all checks that fail do, so that the change is killed no more.
-typedef enum Loss { LOSS_NONE = '.', LOSS_CHECK = 'c', LOSS_KILL = 'k' } Loss;
+// What an object's absence does to a change that is killed: nothing, or it survives without the object.
+typedef enum Loss { LOSS_NONE = '.', LOSS_KILL = 'k' } Loss;
 
-// Grades the change as trial_run does, but by all checks, and those that fail once more without each of these
-// things. (Of a change that crashes or takes too long, none matters.) losses[i] gets a Loss, and
-// losses[count] the end of a text. False with a message: a fault of ours.
+// Grades the change as trial_run does, and each check that fails once more without each of these things,
+// until it is certain that none of them matters. (Of a change that crashes or takes too long, none does.)
+// losses[i] gets a Loss, and losses[count] the end of a text. False with a message: a fault of ours.
 bool trial_without(const Court *court, const Mutant *mutant, const Absence *absences, int count,
                    char *losses);

@@ -1,6 +1,7 @@
 // Puts marks and labels side by side: ring by ring and side by side until one is free.
 #include "study/chart_layout.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -54,11 +55,11 @@ static LayoutBox text_box(double x, double y, const char *text, double size) {
     return (LayoutBox){x - width / 2, y - height / 2, x + width / 2, y + height / 2};
 }
 
-static bool hides_mark(const LayoutPoint *points, int count, LayoutBox text) {
+static int count_hidden(const LayoutPoint *points, int count, LayoutBox text) {
+    int hidden = 0;
     for (int i = 0; i < count; i++)
-        if (points[i].drawn && overlap(text, mark_box(points[i].mark_x, points[i].mark_y)))
-            return true;
-    return false;
+        hidden += points[i].drawn && overlap(text, mark_box(points[i].mark_x, points[i].mark_y));
+    return hidden;
 }
 
 static bool hides_name(const LayoutName *names, int count, LayoutBox text) {
@@ -68,23 +69,24 @@ static bool hides_name(const LayoutName *names, int count, LayoutBox text) {
     return false;
 }
 
-// Where none of its places is free it stands at the right end above its line.
+// From right to left, above its line and below it: the first place that hides the fewest marks.
 static void place_name(const LayoutPoint *points, int point_count, LayoutBox plot, double size,
                        LayoutName *names, int i) {
     enum { STEPS = 16 };
-    LayoutBox first = text_box(0, 0, names[i].text, size);
-    const double half = first.right, room = plot.right - plot.left - 8 - 2 * half;
-    for (int step = 0; step < STEPS; step++)
-        for (int side = -1; side <= 1; side += 2) {
-            LayoutBox box = text_box(plot.right - 4 - half - room * step / (STEPS - 1),
-                                     names[i].y + side * 0.75 * size, names[i].text, size);
-            if (step == 0 && side < 0)
-                names[i].box = box;
-            if (is_within(box, plot) && !hides_mark(points, point_count, box) && !hides_name(names, i, box)) {
-                names[i].box = box;
-                return;
-            }
+    const double half = text_box(0, 0, names[i].text, size).right,
+                 room = plot.right - plot.left - 8 - 2 * half;
+    int least = INT_MAX;
+    for (int step = 0; step < 2 * STEPS; step++) {
+        LayoutBox box = text_box(plot.right - 4 - half - room * (step / 2) / (STEPS - 1), // NOLINT
+                                 names[i].y + (step % 2 ? 0.75 : -0.75) * size, names[i].text, size);
+        int hidden = count_hidden(points, point_count, box);
+        if (step == 0)
+            names[i].box = box;
+        if (hidden < least && is_within(box, plot) && !hides_name(names, i, box)) {
+            names[i].box = box;
+            least = hidden;
         }
+    }
 }
 
 void layout_names(const LayoutPoint *points, int point_count, LayoutBox plot, double size, LayoutName *names,
@@ -103,7 +105,7 @@ typedef struct Crowd {
 } Crowd;
 
 static bool label_fits(const Crowd *crowd, LayoutBox text) {
-    bool fits = is_within(text, crowd->plot) && !hides_mark(crowd->points, crowd->count, text) &&
+    bool fits = is_within(text, crowd->plot) && count_hidden(crowd->points, crowd->count, text) == 0 &&
                 !hides_name(crowd->names, crowd->name_count, text);
     for (int j = 0; fits && j < crowd->count; j++)
         fits = !crowd->points[j].labelled || !overlap(text, crowd->points[j].text);
