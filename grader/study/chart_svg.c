@@ -13,7 +13,7 @@
 #include <string.h>
 
 enum { WIDTH = 480, PLOT_HEIGHT = 470, ROW = 19, LETTERS = 14, SMALL = 12 };
-static const LayoutBox plot = {58, 48, WIDTH - 10, 48 + PLOT_HEIGHT};
+static const LayoutBox plot = {70, 48, WIDTH - 10, 48 + PLOT_HEIGHT};
 
 typedef struct ChartPicture {
     const SceneFindings *findings;
@@ -234,9 +234,9 @@ static void note(ChartPicture *chart, double *y, const char *text) {
 static double draw_notes(ChartPicture *chart, double y) {
     char text[200], label[LABEL_TEXT];
     label_write(example(chart->findings)->method.name, label);
-    snprintf(text, sizeof text, "%s = %s. Ring: the cheapest that is enough. Grey: the front.", label,
-             example(chart->findings)->method.name);
+    snprintf(text, sizeof text, "%s = %s.", label, example(chart->findings)->method.name);
     note(chart, &y, text);
+    note(chart, &y, "Ring: the cheapest that is enough. Grey: the front.");
     snprintf(text, sizeof text, "Bars: MAD of the times, and least and most error of %d views.", STUDY_VIEWS);
     note(chart, &y, text);
     for (int i = 0; i < chart->findings->lines.count; i++) {
