@@ -80,12 +80,15 @@ findings "$work/nowhere"
 expect "no study" 2 "chart.csv is missing"
 
 # Faster ways to the same picture: a box from fewer lookups, a map that is kept, one of casters alone.
-studies --scene "faster edges" --output "$work/faster"
+studies --scene "faster edges" --lab 05 --submission "$(solved fast 05)" --trusted --output "$work/faster"
 expect "filters that are faster" 0 "faster edges: "
 same='len({r["error"] for r in rows if r["method"] in (%s) and r["setting"] == "256 x 256"})'
 for kind in '"linear", "linear, the map is kept", "linear, a map of casters"'; do
     [[ $(table "$work/faster/chart.csv" "${same/\%s/$kind}") == 1 ]] && ok || bad "$kind draw the same"
 done
+theirs='{r["method"] for r in rows if r["whose"] == "submission"}'
+[[ $(table "$work/faster/chart.csv" "'box 5 x 5, 9 gathers' in $theirs and 'linear, the map is kept' not in $theirs") == True ]] && ok ||
+    bad "a submission is charted with changes of its shaders only" "$(table "$work/faster/chart.csv" "$theirs")"
 near='(lambda e: max(e) - min(e) < 2e-4 < max(e))([float(r["error"]) for r in rows if r["method"].startswith("box") and r["setting"] == "1024 x 1024"])'
 [[ $(table "$work/faster/chart.csv" "$near") == True ]] && ok || bad "all boxes of 5 x 5 err alike"
 
