@@ -119,22 +119,19 @@ static void draw_volumes(const Guides *guides, const Frame *frame) {
 static void draw_texels(const Guides *guides, const Frame *frame, int i, float map_size) {
     const Light *light = &frame->scene->lights[i];
     const Program *program = &guides->texels;
-    vec3s along = {{0, 0, 0}};
+    const bool is_parallel = light->kind == LIGHT_DIRECTIONAL;
+    const vec3s along = glms_vec3_sub(light->target, light->position);
     if (light->kind == LIGHT_POINT) // six maps, of no one grid
         return;
-    if (light->kind == LIGHT_DIRECTIONAL)
-        along = glms_vec3_normalize(glms_vec3_sub(light->target, light->position));
     program_set_mat4(program, "u_map_clip_from_world", shadow_map_clip_from_world(light));
     program_set_vec3(program, "u_map_position_world", light->position);
-    program_set_vec3(program, "u_map_direction", along);
+    program_set_vec3(program, "u_map_direction", is_parallel ? along : vec3_make(0, 0, 0));
     program_set_float(program, "u_map_size", map_size);
     program_set_vec3(program, "u_tint", light_tints[i]);
-    glDepthFunc(GL_LEQUAL);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(0, -16);
     draw_scene(frame, program, frame_clip_from_world(frame), frame->scene->camera.eye);
     glDisable(GL_POLYGON_OFFSET_FILL);
-    glDepthFunc(GL_LESS);
 }
 
 // What is hidden by the scene shows faintly.
