@@ -10,17 +10,17 @@
 
 enum { MUTANT_SECONDS = 600, TRIES = 2 };
 
-typedef struct Search {
+typedef struct WorthSearch {
     LabChanges *changes;
     ObjectWorth *worths;
     Absence *absences; // of the worths
     int count;
     ProgressBar bar;
     bool broken;
-} Search;
+} WorthSearch;
 
 static void work(Outcome *outcome, void *context) {
-    Search *search = context;
+    WorthSearch *search = context;
     outcome->done = trial_without(&search->changes->court, &search->changes->mutants.list[outcome->job],
                                   search->absences, search->count, outcome->reason);
     if (!outcome->done)
@@ -28,7 +28,7 @@ static void work(Outcome *outcome, void *context) {
 }
 
 static void finished(const Outcome *outcome, void *context) {
-    Search *search = context;
+    WorthSearch *search = context;
     progress_bar_step(&search->bar, NULL, !outcome->done);
     for (int i = 0; outcome->done && i < search->count; i++)
         if (outcome->reason[i] == LOSS_KILL) {
@@ -43,7 +43,7 @@ static void finished(const Outcome *outcome, void *context) {
     check_fail("%s: %s", text, outcome->reason);
 }
 
-static bool run(Search *search, int processes) {
+static bool run(WorthSearch *search, int processes) {
     const Pool pool = {processes, TRIES, MUTANT_SECONDS, search, work, finished};
     const int count = search->changes->mutants.count;
     int *jobs = calloc((size_t)count + 1, sizeof *jobs);
@@ -60,7 +60,7 @@ static bool run(Search *search, int processes) {
 bool object_worth_find(LabChanges *changes, ObjectWorth *worths, int count, uint64_t seed, int processes) {
     const GradeOptions options = {.seed = seed};
     Absence *absences = calloc(OBJECT_WORTH_MOST, sizeof *absences);
-    Search search = {.changes = changes, .worths = worths, .absences = absences, .count = count};
+    WorthSearch search = {.changes = changes, .worths = worths, .absences = absences, .count = count};
     INVARIANT(absences && count <= OBJECT_WORTH_MOST && count < POOL_REASON);
     changes->court.exam = lab_exam_exam(&changes->examiner, &options);
     bool ok = changes->court.exam != NULL;

@@ -93,6 +93,7 @@ function describe(p) {
 const letters = {wide: 7, high: 12};
 const boxAt = (x, y, text) => [x - text.length * letters.wide / 2, y - letters.high / 2, x + text.length * letters.wide / 2, y + letters.high / 2];
 const isFree = (box, taken) => taken.every(([l, t, r, b]) => box[0] >= r || l >= box[2] || box[1] >= b || t >= box[3]);
+const markBox = ([u, v]) => [u - 6, v - 6, u + 6, v + 6];
 const isWithin = box => box[0] >= size.left && box[2] <= size.width - size.right && box[1] >= size.top && box[3] <= size.height - size.bottom;
 const small = (box, text) => make('text', {class: 'small', x: (box[0] + box[2]) / 2, y: box[3] - 2, 'text-anchor': 'middle'}, text);
 
@@ -130,7 +131,7 @@ function drawLabels(svg, points, places, taken) {
   }
 }
 
-// Places of marks, none on another one: ring by ring around where the numbers say.
+// Places of marks, none on another one and none outside: ring by ring around where the numbers say.
 function placeMarks(points, x, y) {
   const radius = 5, placed = [];
   const hasRoom = ([u, v]) => placed.every(([a, b]) => Math.abs(a - u) >= 2 * radius || Math.abs(b - v) >= 2 * radius);
@@ -139,7 +140,7 @@ function placeMarks(points, x, y) {
     for (let ring = 1; ring < 24; ring++)
       for (let d = 0; d < 12; d++)
         places.push([at[0] + ring * radius * Math.cos(d * Math.PI / 6), at[1] + ring * radius * Math.sin(d * Math.PI / 6)]);
-    placed.push(places.find(hasRoom) || at);
+    placed.push(places.find((place, i) => hasRoom(place) && (i === 0 || isWithin(markBox(place)))) || at);
   }
   return placed;
 }
@@ -273,7 +274,7 @@ function drawChart(scene, points, chosen, choose) {
         few = Math.max(...errors) < 100 * Math.min(...errors);
   const y = axis(errors, size.height - size.bottom, size.top, few ? [1, 2, 5] : [1]), places = placeMarks(points, x, y);
   drawAxes(svg, scene, x, y);
-  const taken = places.map(([u, v]) => [u - 6, v - 6, u + 6, v + 6]);
+  const taken = places.map(markBox);
   drawFront(svg, points, x, y);
   drawCurves(svg, points, x, y);
   drawLines(svg, scene, y, taken);

@@ -78,6 +78,8 @@ findings "$work/two"
 expect "a study that lacks a filter" 1 "the scene edges lacks filters"
 findings "$work/nowhere"
 expect "no study" 2 "chart.csv is missing"
+findings "$work/one" "$work/nowhere"
+expect "no earlier study" 2 "nowhere is missing"
 
 # Faster ways to the same picture: a box from fewer lookups, a map that is kept, one of casters alone.
 studies --scene "faster edges" --lab 05 --submission "$(solved fast 05)" --trusted --output "$work/faster"
