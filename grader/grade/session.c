@@ -39,6 +39,11 @@ bool session_add(Session *session, const char *id) {
     return adding.ok;
 }
 
+void session_begin(Session *session) {
+    if (session->lab_count == 1 && !session->attempts)
+        lab_exam_begin(&session->examiners[0], &session->options);
+}
+
 static bool begin_report(Session *session, Report *report) {
     const Jail *jail = session->options.jail;
     *report = (Report){.seed = session->options.seed,
@@ -76,6 +81,8 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
         return true;
     LabResult *result = &report->labs[report->lab_count++];
     if (theirs) {
+        if (!session->keep)
+            lab_exam_begin(examiner, &session->options);
         ok = grade_lab(result, examiner, theirs, &session->options);
         grade_warn(result, note);
     } else {
