@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "compile/compiler.h"
+#include "exam/nursery.h"
 #include "protocol/description.h"
 #include "base/places.h"
 #include "scene/count.h"
@@ -42,6 +43,12 @@ static int add_driver_settings(char **environment, int count, int most) {
                 environment[count++] = *entry;
         }
     return count;
+}
+
+// A nursery's children are all of one kind.
+static bool can_be_forked(const WorkerClient *client) {
+    return client->trust == TRUST_NOBODY && client->jail && client->quick_shaders && !client->program &&
+           !client->address && !client->each_turn && !client->hardware;
 }
 
 bool worker_client_start(WorkerClient *client) {
@@ -87,7 +94,9 @@ bool worker_client_start(WorkerClient *client) {
         plan.limits.resident_mib = MEMORY_MIB;
     }
     client->greeted = false;
-    client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
+    client->started = (can_be_forked(client) &&
+                       nursery_start(client->jail, client->context, &plan, &client->process, environment)) ||
+                      jail_start(client->jail, &plan, &client->process, arguments, environment);
     client->fault = !client->started;
     return client->started;
 }

@@ -1,12 +1,15 @@
-// worker CONTEXT LAB_FOLDER SHARED_SHADER_FOLDER
+// worker CONTEXT LAB_FOLDER SHARED_SHADER_FOLDER [PATH]...
 //
 // Loads LAB_FOLDER/lab.so and draws the frames that a client asks for (protocol.h). It never talks to anybody
 // else, so whatever a lab does to its process, the client only sees pixels of known size, an end of file or a
-// silence. With LAB_FOLDER "-" each request names its lab: for ours, which may share a process.
+// silence. With LAB_FOLDER "-" each request names its lab: for ours, which may share a process. With "?" it
+// is a nursery (nursery.h), and more arguments are paths that its children see.
 #include "worker/renderdoc.h"
 #include "context.h"
 #include "worker/loaded_lab.h"
 #include "worker/no_programs.h"
+#include "worker/warm_up.h"
+#include "worker/nursery.h"
 #include "protocol/protocol.h"
 #include "scene/shader_source.h"
 #include "base/pipe.h"
@@ -33,6 +36,8 @@ static void report_crash(int number) {
     memcpy(crash.pass, loaded_lab_running(), sizeof crash.pass);
     crash.place = gl_caller(frames, backtrace(frames, 32));
     pipe_write(PROTOCOL_REPLIES, &crash, sizeof crash);
+    if (getpid() == 1) // whom its own signals do not end: as bwrap tells it
+        _exit(128 + number);
     signal(number, SIG_DFL);
     raise(number);
 }
@@ -115,7 +120,9 @@ static bool greet(void) {
 
 int main(int count, char **arguments) {
     static Request request;
-    if (count != 4) {
+    static char folder[PROTOCOL_PATH];
+    const bool nursery = count > 4 && strcmp(arguments[2], "?") == 0;
+    if (count != 4 && !nursery) {
         fprintf(stderr, "usage: worker osmesa|egl LAB_FOLDER SHARED_SHADER_FOLDER (started by the grader)\n");
         return 2;
     }
@@ -125,6 +132,12 @@ int main(int count, char **arguments) {
     worker.shader_folder = arguments[3];
     shader_source_folders(worker.shader_folder, worker.shader_folder); // for our own
     worker.ready = start(arguments[1]);
+    if (nursery) {
+        if (!worker.ready || !warm_up(&worker.stage_view) ||
+            !nursery_wait(folder, sizeof folder, arguments + 4, count - 4))
+            return !worker.ready;
+        worker.lab_folder = folder;
+    }
     no_programs();
     if (!greet() || !worker.ready)
         return 1;
