@@ -69,7 +69,7 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(call objects,grader/window/*.c grader/programs/view.c): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
-$(BUILD)/grader/score/score.o: CFLAGS += -O3 # the vectors halve what a picture costs
+$(BUILD)/grader/score/score.o $(BUILD)/grader/worker/quantise.o: CFLAGS += -O3 # the vectors halve what a picture costs
 
 $(BUILD)/$(OURS)/%.o: ALL_CFLAGS += $(LAB_FLAGS)
 # The list of the tables of one kind, in the order of the labs. A file without a table helps another one.

@@ -73,6 +73,8 @@ bool worker_client_start(WorkerClient *client) {
     int variables = 6;
     if (client->quick_shaders)
         environment[variables++] = "GALLIVM_PERF=nopt";
+    if (client->quick_shaders && !ours)
+        environment[variables++] = "LP_NATIVE_VECTOR_WIDTH=128";
     if (client->hardware)
         add_driver_settings(environment, variables, MOST_VARIABLES);
     else

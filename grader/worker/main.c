@@ -10,6 +10,7 @@
 #include "worker/no_programs.h"
 #include "worker/warm_up.h"
 #include "worker/nursery.h"
+#include "worker/ready_program.h"
 #include "protocol/protocol.h"
 #include "scene/shader_source.h"
 #include "base/pipe.h"
@@ -133,7 +134,7 @@ int main(int count, char **arguments) {
     shader_source_folders(worker.shader_folder, worker.shader_folder); // for our own
     worker.ready = start(arguments[1]);
     if (nursery) {
-        if (!worker.ready || !warm_up(&worker.stage_view) ||
+        if (!worker.ready || !warm_up(&worker.stage_view) || !ready_program_create() ||
             !nursery_wait(folder, sizeof folder, arguments + 4, count - 4))
             return !worker.ready;
         worker.lab_folder = folder;
