@@ -56,13 +56,15 @@ static bool send_order(const NurseryOrder *order, const int theirs[NURSERY_DESCR
     return sendmsg(nursery.socket, &message, MSG_NOSIGNAL) == sizeof *order;
 }
 
-void nursery_stop(void) {
-    if (nursery.owner == getpid() && nursery.pid > 0) {
+bool nursery_stop(void) {
+    const bool runs = nursery.owner == getpid() && nursery.pid > 0;
+    if (runs) {
         kill(nursery.pid, SIGKILL);
         waitpid(nursery.pid, NULL, 0);
         close(nursery.socket);
     }
     nursery.pid = 0;
+    return runs;
 }
 
 // Starts a child with these arguments, or, without, a worker.

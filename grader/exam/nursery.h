@@ -12,5 +12,5 @@
 bool nursery_start(const Jail *jail, ContextKind context, const JailPlan *plan, Process *process,
                    char *const *environment);
 
-// Ends it. It also ends with us.
-void nursery_stop(void);
+// Ends it; false: there was none. It also ends with us.
+bool nursery_stop(void);

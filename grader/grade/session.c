@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "exam/nursery.h"
 #include "grade/attempt.h"
 #include "intake/submission.h"
 #include "grade/lab_verdict.h"
@@ -141,4 +142,5 @@ void session_close(Session *session) {
     for (int i = 0; i < session->lab_count; i++)
         lab_exam_close(&session->examiners[i]);
     session->lab_count = 0;
+    nursery_stop();
 }
