@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <linux/capability.h>
 #include <linux/sched.h>
+#include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -16,6 +17,7 @@
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 // Where the new root is put together: of /proc nothing is needed any more, and it is everywhere.
@@ -117,11 +119,34 @@ static void leave_capabilities(void) {
         shim_fail("capabilities");
 }
 
+// Ends as its child does, and as bwrap tells it. Group signals are meant for the child.
+static _Noreturn void watch(pid_t child) {
+    pid_t ended;
+    int status = 0;
+    for (int number = 1; number < NSIG; number++)
+        signal(number, number == SIGCHLD ? SIG_DFL : SIG_IGN);
+    close_range(0, ~0u, 0);
+    while ((ended = waitpid(-1, &status, 0)) != child && (ended > 0 || errno == EINTR))
+        ;
+    _exit(WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+}
+
+// Number 1 is not ended by signals of its own, so that an abort would go on: the process is number 2.
+static void become_second(void) {
+    const pid_t child = fork();
+    if (child < 0)
+        shim_fail("a second process");
+    if (child > 0)
+        watch(child);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+}
+
 void shim_enter(const ShimPlan *plan, const char *folder, const ShimOwner *owner) {
     close_range(FIRST_FOREIGN, ~0u, 0);
     stay(owner);
     leave_files(plan, folder);
     leave_capabilities();
+    become_second();
     shim_limit(plan);
     shim_hide_files(plan);
     shim_filter(plan);
