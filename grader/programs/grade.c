@@ -7,7 +7,7 @@
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "grade/progress.h"
-#include "exam/exam_file.h"
+#include "exam/exam_seeds.h"
 #include "exam/handed_out.h"
 #include "report/evidence_files.h"
 #include "base/command_line.h"
@@ -277,7 +277,7 @@ static int grade(GradeCommand *command) {
     ClassSettings *class = &command->class;
     if (command->compare)
         return compare(command);
-    if (!class->seeded && !exam_file_draw_seed(&class->seed)) {
+    if (!class->seeded && !exam_seeds_draw(&class->seed)) {
         fprintf(stderr, "grade: %s\n", check_message());
         return EXIT_COULD_NOT;
     }

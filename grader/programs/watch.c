@@ -5,7 +5,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "exam/exam_file.h"
+#include "exam/exam_seeds.h"
 #include "watch/after_lab.h"
 #include "watch/screens.h"
 #include "watch/terminal.h"
@@ -260,7 +260,7 @@ static int run(Watch *watch, const WatchCommand *command) {
 static bool begin(WatchCommand *command) {
     command->grading.seconds = 20;
     places_path(command->folder, "labs");
-    return exam_file_draw_seed(&command->grading.seed) &&
+    return exam_seeds_draw(&command->grading.seed) &&
            option_context_of_environment(&command->grading.context, "watch");
 }
 
