@@ -1,3 +1,5 @@
+// Draws a lab's exam when it is needed, or before that in a thread, and forgets it when another seed is asked
+// for.
 #include "exam/lab_exam.h"
 
 #include "scene/check.h"

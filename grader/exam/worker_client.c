@@ -4,7 +4,7 @@
 
 #include "scene/check.h"
 #include "compile/compiler.h"
-#include "exam/nursery.h"
+#include "exam/nursery_client.h"
 #include "protocol/description.h"
 #include "base/places.h"
 #include "scene/count.h"

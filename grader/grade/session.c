@@ -4,7 +4,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
-#include "exam/nursery.h"
+#include "exam/nursery_client.h"
 #include "grade/attempt.h"
 #include "intake/submission.h"
 #include "grade/lab_verdict.h"

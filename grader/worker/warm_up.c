@@ -38,8 +38,8 @@ bool warm_up(const StageView *view) {
                     target_create(&shown, SIDE, SIDE, GL_RGBA32F, 0);
     if (ok) {
         draw(&program, &scene, &target);
-        stage_view_draw(view, &shown, target.depth);
-        stage_view_draw(view, &shown, target.color);
+        stage_view_draw(view, &shown, target.depth, false);
+        stage_view_draw(view, &shown, target.color, false);
         glReadPixels(0, 0, SIDE, SIDE, GL_RGBA, GL_FLOAT, pixels);
     }
     target_destroy(&shown);

@@ -6,7 +6,6 @@
 #include "jail/extract.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
-#include "exam/nursery.h"
 #include "jail/self_test.h"
 
 #include <errno.h>
@@ -75,44 +74,6 @@ static void test_shows_too_much(void **route) {
     else
         unsetenv("TMPDIR");
     free(before);
-}
-
-static char *environment[] = {"LP_NUM_THREADS=0", "MESA_SHADER_CACHE_DISABLE=true", "LIBGL_ALWAYS_SOFTWARE=1",
-                              "LC_ALL=C", NULL};
-
-// The second worker comes from the nursery, if there is one.
-static bool forks(void) {
-    static Process process;
-    JailPlan plan = {.kind = JAIL_DRAW, .limits = {.wall_seconds = 20, .memory_mib = 2048, .file_mib = 1}};
-    char folder[FILES_PATH];
-    assert_true(files_make_temporary(folder));
-    plan.folder = folder;
-    assert_false(nursery_start(&jail, CONTEXT_OSMESA, &plan, &process, environment));
-    const bool forked = nursery_start(&jail, CONTEXT_OSMESA, &plan, &process, environment);
-    process_stop(&process);
-    files_remove(folder);
-    assert_int_equal(nursery_stop(), forked);
-    return forked;
-}
-
-// As above: there is no nursery where an attack gets through in one of its children.
-static void test_nursery(void **route) {
-    int status;
-    NEEDS_ROUTE();
-    (void)route;
-#if defined(__SANITIZE_ADDRESS__)
-    const bool fits = false;
-#else
-    const bool fits = jail.route == JAIL_BWRAP;
-#endif
-    assert_int_equal(forks(), fits);
-    const pid_t child = fork(); // another process, with a nursery of its own
-    if (child == 0) {
-        setenv("TMPDIR", jail.stage, 1);
-        _exit(forks());
-    }
-    assert_int_equal(waitpid(child, &status, 0), child);
-    assert_int_equal(status, 0);
 }
 
 static void use_shim(const char *name) {
@@ -328,19 +289,11 @@ static int remove_archives(void **unused) {
 
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
-    const struct CMUnitTest tests[] = {ON(test_some_route_holds, JAIL_NONE),
-                                       ON_BOTH(test_intact),
-                                       ON_BOTH(test_shows_too_much),
-                                       ON_BOTH(test_nursery),
-                                       ON_BOTH(test_without_filter),
-                                       ON_BOTH(test_without_limits),
-                                       ON_BOTH(test_without_landlock),
-                                       ON_BOTH(test_without_shim),
-                                       ON_BOTH(test_sees_itself),
-                                       ON_BOTH(test_leaves_nobody),
-                                       ON_BOTH(test_killed_at_once),
-                                       ON_BOTH(test_tells_signals),
-                                       ON_BOTH(test_opens_archives),
-                                       ON_BOTH(test_refuses_archives)};
+    const struct CMUnitTest tests[] = {
+        ON(test_some_route_holds, JAIL_NONE), ON_BOTH(test_intact),         ON_BOTH(test_shows_too_much),
+        ON_BOTH(test_without_filter),         ON_BOTH(test_without_limits), ON_BOTH(test_without_landlock),
+        ON_BOTH(test_without_shim),           ON_BOTH(test_sees_itself),    ON_BOTH(test_leaves_nobody),
+        ON_BOTH(test_killed_at_once),         ON_BOTH(test_tells_signals),  ON_BOTH(test_opens_archives),
+        ON_BOTH(test_refuses_archives)};
     return cmocka_run_group_tests(tests, make_archives, remove_archives);
 }

@@ -1,7 +1,8 @@
 // Looks for what 29-a has left: in memory that it is given, and in its environment.
 // must: drawn
 static bool is_mark(const char *at) {
-    static const char turned[] = "ri`env,m`c,l`sj"; // each character with another lowest bit: not the mark itself
+    static const char turned[] =
+        "ri`env,m`c,l`sj"; // each character with another lowest bit: not the mark itself
     for (int i = 0; i < 15; i++)
         if (at[i] != (turned[i] ^ 1))
             return false;

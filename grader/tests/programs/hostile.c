@@ -15,7 +15,7 @@
 #include "base/places.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
-#include "exam/nursery.h"
+#include "exam/nursery_client.h"
 
 #include <math.h>
 #include <signal.h>

@@ -1,5 +1,5 @@
 // Starts the nursery once a process, tries our attacks in one of its children, and gives it orders.
-#include "exam/nursery.h"
+#include "exam/nursery_client.h"
 
 #include "base/process_child.h"
 #include "jail/bwrap_command.h"
