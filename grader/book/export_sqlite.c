@@ -17,7 +17,7 @@ static const char script[] = ".new-grades.sql", made[] = ".new-grades.sqlite";
 static const char schema[] =
     "PRAGMA journal_mode = OFF;\nBEGIN;\n"
     "CREATE TABLE student (student INTEGER PRIMARY KEY, id TEXT, name TEXT, mail TEXT, section TEXT,\n"
-    "    submission TEXT, status TEXT NOT NULL, total REAL, note TEXT);\n"
+    "    submission TEXT, status TEXT NOT NULL, total REAL, note TEXT, time TEXT, time_by TEXT);\n"
     "CREATE TABLE lab (lab TEXT PRIMARY KEY);\n"
     "CREATE TABLE grade (student INTEGER NOT NULL REFERENCES student, lab TEXT NOT NULL REFERENCES lab,\n"
     "    handed_in INTEGER NOT NULL, points REAL, measured REAL, maximum REAL, late_days INTEGER NOT NULL,\n"
@@ -41,6 +41,9 @@ static void write_next(FILE *out, const char *text) {
 
 static void write_student(FILE *out, const Book *book, const BookRow *row, long number) {
     const Student *student = book_student(book, row);
+    char time[BOOK_TIME_TEXT];
+    BookClock clock;
+    book_time_text(time, book_time(book, row, &clock));
     fprintf(out, "INSERT INTO student VALUES(%ld", number);
     write_next(out, book_id(book, row));
     write_next(out, book_name(book, row));
@@ -53,7 +56,23 @@ static void write_student(FILE *out, const Book *book, const BookRow *row, long 
     else
         fputs(",NULL", out);
     write_next(out, row->note ? row->note : "");
+    write_next(out, time);
+    write_next(out, book_clock_name(clock));
     fputs(");\n", out);
+}
+
+// A lab's predictions as one more row, so that its rows sum up to its points.
+static void write_predictions(FILE *out, const json_t *lab, long number, const char *id) {
+    size_t i;
+    const json_t *result;
+    double score = 0, most = 0;
+    json_array_foreach(json_object_get(json_object_get(lab, "predictions"), "results"), i, result) {
+        score += table_number(result, "score");
+        most += table_number(result, "max_score");
+    }
+    if (most > 0)
+        fprintf(out, "INSERT INTO \"check\" VALUES(%ld,'%s','%d','predictions',%.2f,%.2f,%d,'');\n", number,
+                id, atoi(id), score, most, score == most);
 }
 
 static void write_checks(FILE *out, const json_t *lab, long number, const char *id) {
@@ -68,6 +87,7 @@ static void write_checks(FILE *out, const json_t *lab, long number, const char *
         write_next(out, table_text(json_object_get(check, "cause"), "kind"));
         fputs(");\n", out);
     }
+    write_predictions(out, lab, number, id);
 }
 
 static void write_grade(FILE *out, const BookMark *mark, long number, const char *lab) {

@@ -135,7 +135,9 @@ static bool record_all(const RecordCommand *command) {
 
 int main(int count, char **arguments) {
     RecordCommand command = {0};
+    ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &command, count, arguments);
+    command_line_settle_context(&command_line, &context);
     signal(SIGPIPE, SIG_IGN);
     bool ok = record_all(&command);
     if (!ok)

@@ -108,6 +108,13 @@ static void leave_files(const ShimPlan *plan, const char *folder) {
         shim_fail("the old files");
 }
 
+// Whose machine it is, is told to nobody inside.
+static void leave_names(void) {
+    static const char name[] = "shadow-lab"; // as bwrap_command has it
+    if (sethostname(name, sizeof name - 1) != 0 || setdomainname("", 0) != 0)
+        shim_fail("names");
+}
+
 static void leave_capabilities(void) {
     struct __user_cap_header_struct header = {.version = _LINUX_CAPABILITY_VERSION_3};
     struct __user_cap_data_struct none[2] = {{0}};
@@ -145,6 +152,7 @@ void shim_enter(const ShimPlan *plan, const char *folder, const ShimOwner *owner
     close_range(FIRST_FOREIGN, ~0u, 0);
     stay(owner);
     leave_files(plan, folder);
+    leave_names();
     leave_capabilities();
     become_second();
     shim_limit(plan);

@@ -1,4 +1,4 @@
-// Looks for what 29-a has left: in memory that it is given, and in its environment.
+// Looks for what 30-a has left: in memory that it is given, and in its environment.
 // must: drawn
 static bool is_mark(const char *at) {
     static const char turned[] =

@@ -1,4 +1,4 @@
-// Leaves a mark in its memory and its environment, for 29-b.
+// Leaves a mark in its memory and its environment, for 30-b.
 // must: drawn
 static void attack(const Frame *frame) {
     static const char mark[] = "shadow-lab-mark ";
