@@ -1,3 +1,5 @@
+// Pictures in memory: copied, made smaller, and as PNG to and from a file or memory.
+
 #include "scene/image.h"
 
 #include "scene/check.h"
