@@ -56,6 +56,32 @@ static void make_own(Scene *scene, Random *random) {
     }
 }
 
+// Two sheets that the camera sees well and that the sun grazes, one from before and one from behind.
+static void make_grazing(Scene *scene, Random *random) {
+    part_begin(scene, random);
+    vec3s eye = scene->camera.eye;
+    float side = random_int(random, 0, 1) ? 1 : -1;
+    vec3s sun =
+        part_orbit(vec3_make(0, 0, 0), glm_deg(atan2f(eye.x, eye.z)) + side * random_range(random, 60, 90),
+                   random_range(random, 15, 45), 9);
+    vec3s toward = glms_vec3_normalize(sun);
+    vec3s across = glms_vec3_normalize(glms_vec3_cross(vec3_make(0, 1, 0), eye));
+    for (int i = 0; i < 2; i++) {
+        float facing = random_range(random, 0.065f, 0.09f) * (i ? 1 : -1);
+        vec3s normal = glms_vec3_normalize(glms_vec3_muladds(toward, -glms_vec3_dot(toward, eye), eye));
+        normal = glms_vec3_muladds(toward, facing, glms_vec3_scale(normal, sqrtf(1 - facing * facing)));
+        vec3s right = glms_vec3_normalize(glms_vec3_cross(vec3_make(0.2f, 1, 0.1f), normal));
+        Object *sheet =
+            part_object(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(1, 1, 1), 0, part_color(random));
+        float size = random_range(random, 0.6f, 0.8f);
+        sheet->world_from_object.col[0] = glms_vec4(glms_vec3_scale(right, size), 0);
+        sheet->world_from_object.col[1] = glms_vec4(normal, 0);
+        sheet->world_from_object.col[2] = glms_vec4(glms_vec3_scale(glms_vec3_cross(right, normal), size), 0);
+        sheet->world_from_object.col[3] = glms_vec4(glms_vec3_scale(across, i ? 0.95f : -0.95f), 1);
+    }
+    sun_from(scene, random, sun);
+}
+
 // A sun straight above a level floor at any height.
 static void make_noon(Scene *scene, Random *random) {
     part_begin(scene, random);
@@ -164,9 +190,15 @@ static void make_wide(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"planar own", make_own},         {"planar noon", make_noon},
-    {"planar lamp", make_lamp},       {"planar sun", make_sun},
-    {"planar between", make_between}, {"planar low", make_low},
-    {"planar table", make_table},     {"planar glass", make_glass},
-    {"planar wide", make_wide},       {0},
+    {"planar own", make_own},
+    {"planar grazing", make_grazing},
+    {"planar noon", make_noon},
+    {"planar lamp", make_lamp},
+    {"planar sun", make_sun},
+    {"planar between", make_between},
+    {"planar low", make_low},
+    {"planar table", make_table},
+    {"planar glass", make_glass},
+    {"planar wide", make_wide},
+    {0},
 };
