@@ -74,13 +74,14 @@ static void make_boxes(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, 6, random);
     LightKind kind = random_int(random, 0, 1) ? LIGHT_DIRECTIONAL : LIGHT_POINT;
-    float azimuth = glm_deg(atan2f(scene->camera.eye.x, scene->camera.eye.z)) + random_range(random, -40, 40);
-    vec3s place =
-        part_orbit(vec3_make(0, 0, 0), azimuth, random_range(random, 35, 55), random_range(random, 6, 9));
+    float side = random_int(random, 0, 1) ? 1 : -1;
+    float azimuth =
+        glm_deg(atan2f(scene->camera.eye.x, scene->camera.eye.z)) + side * random_range(random, 45, 80);
+    vec3s place = part_orbit(vec3_make(0, 0, 0), azimuth, random_range(random, 35, 55), 8);
     for (int i = 0; i < 2; i++) {
-        vec3s half = vec3_make(random_range(random, 0.45f, 0.6f), random_range(random, 0.4f, 0.6f),
-                               random_range(random, 0.45f, 0.6f));
-        vec3s center = vec3_make(1.8f * (float)i - 0.9f, half.y + random_range(random, 0.2f, 0.6f),
+        vec3s half = vec3_make(random_range(random, 0.6f, 0.8f), random_range(random, 0.5f, 0.7f),
+                               random_range(random, 0.6f, 0.8f));
+        vec3s center = vec3_make(2.2f * (float)i - 1.1f, half.y + random_range(random, 0.2f, 0.6f),
                                  random_range(random, -0.5f, 0.5f));
         vec3s toward = kind == LIGHT_DIRECTIONAL ? place : glms_vec3_sub(place, center);
         float turn = glm_deg(atan2f(toward.x, toward.z)) - 90 - random_range(random, 25, 65);
