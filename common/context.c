@@ -19,6 +19,6 @@ const char *context_route(ContextKind kind) {
 }
 
 void context_destroy(void) {
-    for (int kind = 0; kind < CONTEXT_COUNT; kind++)
+    for (int kind = CONTEXT_OSMESA; kind < CONTEXT_COUNT; kind++)
         routes[kind].destroy();
 }

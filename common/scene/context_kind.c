@@ -4,10 +4,10 @@
 
 #include <string.h>
 
-static const char *const names[CONTEXT_COUNT] = {[CONTEXT_OSMESA] = "osmesa", [CONTEXT_EGL] = "egl"};
+static const char *const names[CONTEXT_COUNT] = {"any", "osmesa", "egl"};
 
 bool context_parse(ContextKind *kind, const char *name) {
-    for (int i = 0; i < CONTEXT_COUNT; i++)
+    for (int i = CONTEXT_OSMESA; i < CONTEXT_COUNT; i++)
         if (strcmp(names[i], name) == 0) {
             *kind = (ContextKind)i;
             return true;

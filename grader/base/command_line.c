@@ -3,6 +3,7 @@
 #include "base/command_line.h"
 
 #include "base/command_help.h"
+#include "base/context_choice.h"
 #include "base/printable.h"
 #include "scene/check.h"
 
@@ -174,4 +175,11 @@ void command_line_take(const CommandLine *line, void *settings, int count, char 
         command_line_complain(line, check_message());
         exit(EXIT_USAGE);
     }
+}
+
+void command_line_settle_context(const CommandLine *line, ContextKind *kind) {
+    if (context_choose_aloud(kind, line->program))
+        return;
+    command_line_complain(line, check_message());
+    exit(EXIT_USAGE);
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/option_table.h"
+#include "scene/context_kind.h"
 
 // What all programs end with when the command line makes no sense.
 enum { EXIT_USAGE = 2 };
@@ -18,6 +19,10 @@ CommandLineResult command_line_read(const CommandLine *line, void *settings, int
 // The same for main: returns only when there is something to do. Otherwise ends the program, with the help on
 // standard output and status 0, or with the message on standard error and status 2.
 void command_line_take(const CommandLine *line, void *settings, int count, char **arguments);
+
+// For a program that draws, before it begins: settles CONTEXT_ANY by context_choose_aloud. Ends the program
+// with a message and status 2 when the environment asks for what there is not.
+void command_line_settle_context(const CommandLine *line, ContextKind *kind);
 
 // Prints what is wrong, and the program's forms, to standard error.
 void command_line_complain(const CommandLine *line, const char *message);

@@ -1,7 +1,6 @@
 // Each function reads one kind of value (a seed, a size, a lab, a context) or says what the option takes.
 #include "base/option_values.h"
 
-#include "base/installed.h"
 #include "base/places.h"
 #include "scene/check.h"
 
@@ -89,23 +88,6 @@ bool option_context(void *target, const char *text) {
         return true;
     check_clear();
     return check_fail("takes osmesa or egl: there is no context \"%s\"", text);
-}
-
-bool option_context_of_environment(ContextKind *context, const char *program) {
-    const char *text = getenv("SHADOW_LAB_CONTEXT");
-    if (!text || !text[0]) {
-        *context = installed_library("libOSMesa.so.8") || installed_library("libOSMesa.so") ? CONTEXT_OSMESA
-                                                                                            : CONTEXT_EGL;
-        check_clear();
-        if (*context == CONTEXT_EGL)
-            fprintf(stderr, "%s: there is no OSMesa here: EGL draws, if --context says nothing else\n",
-                    program);
-        return true;
-    }
-    if (context_parse(context, text))
-        return true;
-    check_clear();
-    return check_fail("SHADOW_LAB_CONTEXT is osmesa or egl, not \"%s\"", text);
 }
 
 // "3" and "03" give "03".

@@ -46,7 +46,3 @@ bool option_task(void *target, const char *text);
 bool option_whole(int *number, const char *text, int least, int most);
 bool option_decimal(double *number, const char *text);
 bool option_size(int *width, int *height, const char *text, int most);
-
-// The context that the environment asks for by SHADOW_LAB_CONTEXT; else OSMesa where it is installed, else
-// EGL, which `program` says on standard error. False with a message for another name.
-bool option_context_of_environment(ContextKind *context, const char *program);

@@ -33,12 +33,38 @@ const char *book_id(const Book *book, const BookRow *row) {
     return row->entry >= 0 ? book->table->roster->entries[row->entry].id : "";
 }
 
-time_t book_time(const Book *book, const BookRow *row) {
-    bool told;
-    const Student *student = book_student(book, row);
-    if (student && student->handed_in != 0)
-        return student->handed_in;
-    return row->entry >= 0 ? submission_record_time(book->table->records[row->entry], &told) : 0;
+time_t book_time_of(const Student *student, time_t time, bool told, BookClock *clock) {
+    const bool listed = student && student->handed_in != 0;
+    *clock = listed ? CLOCK_LIST : time == 0 ? CLOCK_NONE : told ? CLOCK_NAME : CLOCK_FILES;
+    return listed ? student->handed_in : time;
+}
+
+time_t book_time(const Book *book, const BookRow *row, BookClock *clock) {
+    bool told = false;
+    const time_t time = row->entry >= 0 ? submission_record_time(book->table->records[row->entry], &told) : 0;
+    return book_time_of(book_student(book, row), time, told, clock);
+}
+
+const char *book_clock_name(BookClock clock) {
+    static const char *const names[CLOCK_COUNT] = {"", "list", "name", "files"};
+    return names[clock];
+}
+
+void book_time_text(char text[BOOK_TIME_TEXT], time_t time) {
+    struct tm parts;
+    if (time == 0 || !localtime_r(&time, &parts) ||
+        strftime(text, BOOK_TIME_TEXT, "%Y-%m-%d %H:%M:%S %z", &parts) == 0)
+        text[0] = '\0';
+}
+
+int book_count_by_files(const Book *book) {
+    int count = 0;
+    for (int r = 0; r < book->count; r++) {
+        BookClock clock;
+        book_time(book, &book->rows[r], &clock);
+        count += clock == CLOCK_FILES;
+    }
+    return count;
 }
 
 const char *book_status(const Book *book, const BookRow *row) {

@@ -5,20 +5,31 @@
 #include "book/overrides.h"
 #include "book/student_list.h"
 #include "class/table.h"
+#include "copies/copies.h"
 
-enum { BOOK_NONE = -1 };
+enum { BOOK_NONE = -1, BOOK_TIME_TEXT = 40 };
+
+// By what it is known when something was handed in.
+typedef enum BookClock {
+    CLOCK_NONE, // it is not known
+    CLOCK_LIST,
+    CLOCK_NAME,  // of the hand-in, as the learning system wrote it
+    CLOCK_FILES, // the newest change of a file, which a student can set
+    CLOCK_COUNT
+} BookClock;
 
 // A student's points in a lab.
 typedef struct BookMark {
-    bool measured;  // there is a grade
-    bool handed_in; // ... of something
-    bool known;     // there are points, measured or given by hand
-    double score;   // measured
-    double points;  // what counts
-    double maximum; // 0 where nothing was measured
-    int late_days;  // in all
-    int free_days;  // of them
-    double taken;   // points that the lateness took
+    bool measured;   // there is a grade
+    bool handed_in;  // ... of something
+    bool known;      // there are points, measured or given by hand
+    double score;    // measured
+    double points;   // what counts
+    double maximum;  // 0 where nothing was measured
+    int late_days;   // in all
+    int free_days;   // of them
+    double taken;    // points that the lateness took
+    bool days_given; // late_days are by hand
     bool overridden;
 } BookMark;
 
@@ -38,6 +49,7 @@ typedef struct Book {
     LateRule late;
     BookRow *rows; // the table's entries in their order, then who handed in nothing, in the list's order
     int count;
+    const Copies *copies; // pairs with code in common; NULL: this run did not look for them
 } Book;
 
 // Appends to what people should know of a row.
@@ -48,8 +60,20 @@ const char *book_name(const Book *book, const BookRow *row);
 const char *book_id(const Book *book, const BookRow *row);
 const Student *book_student(const Book *book, const BookRow *row); // NULL: not on the list
 
-// When it was handed in: by the list, else by the record; 0: unknown.
-time_t book_time(const Book *book, const BookRow *row);
+// When it was handed in: by the list, else by the record; 0: unknown. *clock: by what.
+time_t book_time(const Book *book, const BookRow *row, BookClock *clock);
+
+// The same of a student (NULL: not on the list) whose hand-in has this time, which its name tells or not.
+time_t book_time_of(const Student *student, time_t time, bool told, BookClock *clock);
+
+// "list", "name" or "files"; "" for CLOCK_NONE.
+const char *book_clock_name(BookClock clock);
+
+// This machine's time with its zone; "" for 0.
+void book_time_text(char text[BOOK_TIME_TEXT], time_t time);
+
+// Of how many hand-ins do only the files tell when they came?
+int book_count_by_files(const Book *book);
 
 // "passed", "failed" or "not graded" as it was measured, else "not handed in".
 const char *book_status(const Book *book, const BookRow *row);

@@ -32,7 +32,8 @@ static int lab_number(const Book *book, const char *lab) {
 
 // The days that the clock gives to each lab.
 static void count_days(const Book *book, BookRow *row) {
-    const time_t time = book_time(book, row);
+    BookClock clock;
+    const time_t time = book_time(book, row, &clock);
     for (int n = 0; n < book->table->plan->lab_count; n++)
         if (row->marks[n].handed_in)
             row->marks[n].late_days = late_rule_days(&book->late, book->table->plan->labs[n], time);
@@ -40,8 +41,10 @@ static void count_days(const Book *book, BookRow *row) {
 
 // Takes points for the days, the free ones first, in the order of the due dates.
 static void take_days(const Book *book, BookRow *row) {
-    char text[160];
+    char text[200];
+    BookClock clock;
     int left = book->late.free_days;
+    book_time(book, row, &clock);
     for (int i = 0; i < book->late.count; i++) {
         const int n = lab_number(book, book->late.labs[i]);
         if (n < 0 || row->marks[n].late_days == 0)
@@ -52,8 +55,9 @@ static void take_days(const Book *book, BookRow *row) {
         mark->taken =
             round(100 * mark->score * late_rule_share(&book->late, mark->late_days - mark->free_days)) / 100;
         mark->points = mark->score - mark->taken;
-        snprintf(text, sizeof text, "lab %s: %d day%s late, %d of them free: %.2f points off",
-                 book->late.labs[i], mark->late_days, mark->late_days == 1 ? "" : "s", mark->free_days,
+        snprintf(text, sizeof text, "lab %s: %d day%s late%s, %d of them free: %.2f points off",
+                 book->late.labs[i], mark->late_days, mark->late_days == 1 ? "" : "s",
+                 clock == CLOCK_FILES && !mark->days_given ? " by the files' times" : "", mark->free_days,
                  mark->taken);
         book_note(row, text);
     }
@@ -144,8 +148,10 @@ static bool apply(Book *book, const Override *override, bool days) {
         return false;
     BookMark *mark = &row->marks[n];
     const double before = mark->points;
-    if (days && override->late_days >= 0)
+    if (days && override->late_days >= 0) {
         mark->late_days = override->late_days;
+        mark->days_given = true;
+    }
     if (days || override->points < 0)
         return true;
     if (override->check[0] && !give_check(book, row, n, override))

@@ -22,9 +22,16 @@ bool book_check_files(const BookFiles *files) {
     return ok;
 }
 
-// OUT/name, after `file` (NULL: none) was copied there. *there: is there one?
-static bool keep(char path[FILES_PATH], const char *output, const char *name, const char *file, bool *there) {
+// OUT/name, after `file` (NULL: none) was copied there; where nothing is to be written, the file itself.
+// *there: is there one?
+static bool keep(char path[FILES_PATH], const char *output, const char *name, const char *file,
+                 bool only_read, bool *there) {
     bool ok = true;
+    *there = file != NULL;
+    if (file && only_read)
+        return snprintf(path, FILES_PATH, "%s", file) < FILES_PATH || check_fail("%.100s: too long", file);
+    if (!output)
+        return true;
     files_join(path, output, name);
     if (file) {
         char *text = files_read(file, CSV_MAX_BYTES);
@@ -36,17 +43,19 @@ static bool keep(char path[FILES_PATH], const char *output, const char *name, co
 }
 
 static bool read_files(Book *book, const char *output, const BookFiles *files) {
+    const bool only_read = files->only_read;
     char path[FILES_PATH];
     bool there;
-    if (!keep(path, output, roster_name, files->roster, &there) ||
+    if (!keep(path, output, roster_name, files->roster, only_read, &there) ||
         (there && !student_list_read(&book->list, path)))
         return false;
     book->listed = there;
-    if (!keep(path, output, overrides_name, files->overrides, &there) ||
-        (there && !overrides_read(&book->overrides, path)))
+    if (!only_read && (!keep(path, output, overrides_name, files->overrides, false, &there) ||
+                       (there && !overrides_read(&book->overrides, path))))
         return false;
-    book->ruled = there;
-    if (!keep(path, output, due_name, files->late, &there) || (there && !late_rule_read(&book->late, path)))
+    book->ruled = !only_read && there;
+    if (!keep(path, output, due_name, files->late, only_read, &there) ||
+        (there && !late_rule_read(&book->late, path)))
         return false;
     book->ruled = book->ruled || there;
     return true;
@@ -56,7 +65,7 @@ static void add_row(Book *book, int entry, int student) {
     book->rows[book->count++] = (BookRow){.entry = entry, .student = student};
 }
 
-static void add_entries(Book *book) {
+static void add_entries(Book *book, bool only_read) {
     const Roster *roster = book->table->roster;
     for (int i = 0; i < roster->count; i++) {
         const RosterEntry *entry = &roster->entries[i];
@@ -68,7 +77,7 @@ static void add_entries(Book *book) {
         if (student == STUDENT_SEVERAL)
             book_note(&book->rows[i],
                       "several on the roster have this name: put the number into the hand-in's name");
-        if (table_is_graded(book->table, i) && book->table->stale[i][0]) {
+        if (!only_read && table_is_graded(book->table, i) && book->table->stale[i][0]) {
             char text[ORIGIN_TEXT + 60];
             snprintf(text, sizeof text, "graded with %s than today's: --resume grades it again",
                      book->table->stale[i]);
@@ -98,9 +107,9 @@ bool book_open(Book *book, const Table *table, const char *output, const BookFil
     if (ok) {
         book->rows = calloc((size_t)table->roster->count + (size_t)book->list.count, sizeof *book->rows);
         INVARIANT(book->rows);
-        add_entries(book);
+        add_entries(book, files->only_read);
         add_missing(book);
-        ok = book_marks_fill(book);
+        ok = files->only_read || book_marks_fill(book);
     }
     if (!ok)
         book_close(book);

@@ -6,6 +6,7 @@
 // The files that a book is made by; NULL: the one of that name that OUT holds, if it does.
 typedef struct BookFiles {
     const char *roster, *overrides, *late;
+    bool only_read; // keep nothing in OUT, which may be NULL, and fill no marks in: nothing is graded yet
 } BookFiles;
 
 // Can the files be read? False with a message.

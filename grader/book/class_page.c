@@ -86,6 +86,12 @@ static void write_counts(ClassPage *page) {
         fprintf(page->page.out, ", %d students handed in nothing", missing);
     fprintf(page->page.out, " <span class=\"quiet\">(seed %llu)</span></p>\n",
             (unsigned long long)table->plan->seed);
+    const int by_files = page->book->late.given ? book_count_by_files(page->book) : 0;
+    if (by_files > 0)
+        fprintf(page->page.out,
+                "<p>When %d of them were handed in is known by the files' times only, which a student can "
+                "set.</p>\n",
+                by_files);
 }
 
 char *class_page(const Book *book, char *const *names) {
@@ -98,6 +104,7 @@ char *class_page(const Book *book, char *const *names) {
     page_part_matrix(&page);
     page_part_tasks(&page);
     page_part_looks(&page);
+    page_part_copies(&page);
     write_all(&page);
     summary_destroy(&page.summary);
     return page_end(&page.page);

@@ -203,11 +203,10 @@ static void write_lateness(ExportFile *file, double seconds) {
 
 static double write_lab_times(ExportFile *file, const BookRow *row, int n) {
     const BookMark *mark = &row->marks[n];
-    char text[40] = "";
-    struct tm parts;
-    const time_t time = book_time(file->book, row);
-    if (mark->handed_in && time != 0 && localtime_r(&time, &parts))
-        strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S %z", &parts);
+    char text[BOOK_TIME_TEXT];
+    BookClock clock;
+    const time_t time = book_time(file->book, row, &clock);
+    book_time_text(text, mark->handed_in ? time : 0);
     const double late =
         mark->handed_in ? late_rule_seconds(&file->book->late, file->book->table->plan->labs[n], time) : 0;
     points(file, row, n);

@@ -17,7 +17,7 @@ static const char script[] = ".new-grades.sql", made[] = ".new-grades.sqlite";
 static const char schema[] =
     "PRAGMA journal_mode = OFF;\nBEGIN;\n"
     "CREATE TABLE student (student INTEGER PRIMARY KEY, id TEXT, name TEXT, mail TEXT, section TEXT,\n"
-    "    submission TEXT, status TEXT NOT NULL, total REAL, note TEXT);\n"
+    "    submission TEXT, status TEXT NOT NULL, total REAL, note TEXT, time TEXT, time_by TEXT);\n"
     "CREATE TABLE lab (lab TEXT PRIMARY KEY);\n"
     "CREATE TABLE grade (student INTEGER NOT NULL REFERENCES student, lab TEXT NOT NULL REFERENCES lab,\n"
     "    handed_in INTEGER NOT NULL, points REAL, measured REAL, maximum REAL, late_days INTEGER NOT NULL,\n"
@@ -41,6 +41,9 @@ static void write_next(FILE *out, const char *text) {
 
 static void write_student(FILE *out, const Book *book, const BookRow *row, long number) {
     const Student *student = book_student(book, row);
+    char time[BOOK_TIME_TEXT];
+    BookClock clock;
+    book_time_text(time, book_time(book, row, &clock));
     fprintf(out, "INSERT INTO student VALUES(%ld", number);
     write_next(out, book_id(book, row));
     write_next(out, book_name(book, row));
@@ -53,6 +56,8 @@ static void write_student(FILE *out, const Book *book, const BookRow *row, long 
     else
         fputs(",NULL", out);
     write_next(out, row->note ? row->note : "");
+    write_next(out, time);
+    write_next(out, book_clock_name(clock));
     fputs(");\n", out);
 }
 

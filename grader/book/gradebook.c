@@ -8,6 +8,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+bool gradebook_gives_away(const GradebookSettings *wanted) {
+    bool away = wanted->anonymous;
+    for (int k = 0; k < EXPORT_KINDS; k++)
+        away = away || wanted->exports[k];
+    return away;
+}
+
+bool gradebook_is_asked_for(const GradebookSettings *wanted) {
+    const BookFiles *files = &wanted->files;
+    return files->roster || files->overrides || files->late || wanted->no_points || wanted->copies ||
+           gradebook_gives_away(wanted);
+}
+
 static bool write_page(const Book *book, const char *output) {
     char path[FILES_PATH], *page = class_page(book, NULL);
     files_join(path, output, "index.html");
@@ -29,6 +42,16 @@ static void say_list(const Book *book) {
         fprintf(stderr, "grade: roster: %d of %d handed in nothing\n", missing, book->list.count);
 }
 
+static void say_times(const Book *book) {
+    const int count = book->late.given ? book_count_by_files(book) : 0;
+    if (count > 0)
+        fprintf(
+            stderr,
+            "grade: due: of %d only the files' times tell when they were handed in, which a student can set: "
+            "give a list with the learning system's times\n",
+            count);
+}
+
 static void say_stale(const Book *book) {
     const Table *table = book->table;
     const char *first = NULL;
@@ -43,28 +66,32 @@ static void say_stale(const Book *book) {
                 first);
 }
 
-static bool find_copies(const Table *table, const ClassSettings *settings) {
-    int count;
-    if (!copies_write(table, settings, &count))
+static bool find_copies(Copies *copies, const Table *table, const ClassSettings *settings) {
+    if (!copies_find(copies, table, settings) || !copies_write(copies, table, settings->output))
         return false;
-    printf("%d pairs of hand-ins have code in common: %s/copies.csv\n", count, settings->output);
+    printf("%d pairs of hand-ins have code in common: %s/copies.csv\n", copies->count, settings->output);
     return true;
 }
 
 bool gradebook_write(const Table *table, const ClassSettings *settings, void *context) {
     const GradebookSettings *wanted = context;
     Book book;
+    Copies copies = {.count = 0};
     if (!book_open(&book, table, settings->output, &wanted->files))
         return false;
-    const bool ok = grades_csv_write(settings->output, &book) && write_page(&book, settings->output) &&
-                    export_write(&book, settings->output, wanted->exports, wanted->no_points) &&
-                    (!wanted->anonymous ||
-                     anonymous_write(&book, settings->output, wanted->anonymous, wanted->no_points));
-    const bool compared = !ok || !wanted->copies || find_copies(table, settings);
+    bool ok = grades_csv_write(settings->output, &book) &&
+              export_write(&book, settings->output, wanted->exports, wanted->no_points) &&
+              (!wanted->anonymous ||
+               anonymous_write(&book, settings->output, wanted->anonymous, wanted->no_points));
+    const bool compared = !wanted->copies || !ok || find_copies(&copies, table, settings);
+    book.copies = wanted->copies && compared ? &copies : NULL;
+    ok = ok && write_page(&book, settings->output); // also where pairs could not be looked for
     if (!settings->only) {
         say_list(&book);
+        say_times(&book);
         say_stale(&book);
     }
     book_close(&book);
+    copies_destroy(&copies);
     return ok && compared;
 }

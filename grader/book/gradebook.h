@@ -13,6 +13,12 @@ typedef struct GradebookSettings {
     bool no_points;        // on pages that are given away
 } GradebookSettings;
 
+// Does it ask for pages or tables that are given away?
+bool gradebook_gives_away(const GradebookSettings *wanted);
+
+// Does it ask for anything?
+bool gradebook_is_asked_for(const GradebookSettings *wanted);
+
 // A ClassTables of class/class.h; `context` is a GradebookSettings. What people should know of the list of
 // students and of grades that are not by today's rubric goes to standard error.
 bool gradebook_write(const Table *table, const ClassSettings *settings, void *context);

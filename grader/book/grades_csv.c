@@ -31,6 +31,13 @@ static void write_points(FILE *out, bool known, double points) {
         fprintf(out, "%.2f", points);
 }
 
+static void write_time(FILE *out, const Book *book, const BookRow *row) {
+    char text[BOOK_TIME_TEXT];
+    BookClock clock;
+    book_time_text(text, book_time(book, row, &clock));
+    fprintf(out, ",%s,%s", text, book_clock_name(clock));
+}
+
 static void write_row(FILE *out, const Book *book, const BookRow *row) {
     const int labs = book->table->plan->lab_count;
     const RosterEntry *entry = row->entry >= 0 ? &book->table->roster->entries[row->entry] : NULL;
@@ -46,6 +53,8 @@ static void write_row(FILE *out, const Book *book, const BookRow *row) {
     csv_write_cell(out, reason(book->table, row->entry));
     for (int n = 0; book->ruled && n < labs; n++)
         write_points(out, row->marks[n].measured, row->marks[n].score);
+    if (book->late.given)
+        write_time(out, book, row);
     if (has_notes(book)) {
         fputc(',', out);
         csv_write_cell(out, row->note ? row->note : "");
@@ -61,6 +70,7 @@ static void write_heads(FILE *out, const Book *book) {
     fputs(",total,status,student,id,late,reason", out);
     for (int n = 0; book->ruled && n < plan->lab_count; n++)
         fprintf(out, ",lab %s measured", plan->labs[n]);
+    fputs(book->late.given ? ",handed in,time by" : "", out);
     fputs(has_notes(book) ? ",note\n" : "\n", out);
 }
 

@@ -26,5 +26,8 @@ void page_part_matrix(ClassPage *page);
 // The hardest tasks, all checks, the commonest mistakes.
 void page_part_tasks(ClassPage *page);
 
+// Pairs of hand-ins with code in common, where this run looked for them.
+void page_part_copies(ClassPage *page);
+
 // Who is not graded, has no picture, has a note, is ignored.
 void page_part_looks(ClassPage *page);

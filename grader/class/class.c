@@ -219,6 +219,23 @@ static bool grade_class(Class *class) {
     return (settings->gather || grade_rest(class)) && gather(class);
 }
 
+// Lets `make_tables` look at what there is, and at the records of earlier runs.
+static bool look(Class *class) {
+    const ClassSettings *settings = class->settings;
+    Table table;
+    if (!run_settings_open(&class->plan, settings) || !origin_read(&class->origin, &class->plan))
+        return false;
+    table_read(&table, settings->output, &class->roster, &class->plan, &class->origin);
+    const bool ok = class->make_tables(&table, settings, class->context);
+    table_free(&table);
+    return ok;
+}
+
+static bool do_run(Class *class) {
+    const ClassSettings *settings = class->settings;
+    return settings->dry_run ? look(class) : settings->list ? print_list(class) : grade_class(class);
+}
+
 static void say_end(const Class *class) {
     const char *output = class->settings->output;
     if (!class->settings->only)
@@ -235,10 +252,10 @@ bool class_run(const ClassSettings *settings, ClassTables make_tables, void *con
     class.context = context;
     class.plan.lock = -1;
     bool ok = roster_read(&class.roster, settings->folder, settings->output, settings->all_attempts) &&
-              (settings->list ? print_list(&class) : grade_class(&class));
+              do_run(&class);
     if (!ok) {
         fprintf(stderr, "grade: %s\n", check_message());
-    } else if (!settings->list) {
+    } else if (!settings->list && !settings->dry_run) {
         note_ignored(&class.roster);
         say_end(&class);
         ok = class.not_graded == 0;

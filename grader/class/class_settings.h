@@ -9,7 +9,7 @@
 
 typedef struct ClassSettings {
     const char *folder; // of the submissions
-    const char *output; // a folder; NULL: only `list`
+    const char *output; // a folder; NULL: only `list` or `dry_run`
     LabList labs;       // none: all
     uint64_t seed;
     double seconds; // that a submission may run, per lab
@@ -25,4 +25,5 @@ typedef struct ClassSettings {
     bool no_swap;      // do not exchange parts of submissions to find the fault; of a run that begins
     bool all_attempts; // each attempt is graded, not only a student's newest
     bool list;         // only print the names of the results
+    bool dry_run;      // grade nothing and write nothing: only look
 } ClassSettings;

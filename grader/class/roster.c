@@ -105,7 +105,8 @@ static RosterEntry *add_entry(Roster *roster, const HandIn *source, const char *
                            .student = printable_name(source->told.student),
                            .id = printable_name(source->told.id),
                            .late = source->told.late,
-                           .time = source->told.time};
+                           .time = source->told.time,
+                           .attempts = 1};
     INVARIANT(entry->name);
     printable_file_name(entry->file, name);
     return entry;
@@ -140,6 +141,13 @@ static void gather_loose(Reading *reading, int first) {
     }
 }
 
+static int count_attempts(const Reading *reading, const HandIn *source) {
+    int count = 0;
+    for (int i = 0; i < reading->count; i++)
+        count += same_student(&reading->sources[i], source);
+    return count;
+}
+
 static void take(Reading *reading, int i, bool all_attempts) {
     const HandIn *source = &reading->sources[i];
     if (source->loose) {
@@ -152,7 +160,7 @@ static void take(Reading *reading, int i, bool all_attempts) {
             ignore(reading->roster, source->name, "is an older attempt of a student who has a newer one");
             return;
         }
-    add_entry(reading->roster, source, source->name);
+    add_entry(reading->roster, source, source->name)->attempts = count_attempts(reading, source);
 }
 
 // A hash of 64 bits can be made to collide by who chooses the names; then nothing is graded.

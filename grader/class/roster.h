@@ -16,6 +16,8 @@ typedef struct RosterEntry {
     time_t time;  // when it was handed in, where the name tells; else 0
     char **loose; // names of the files, where they lie loose in the class's folder; NULL: a folder or archive
     int loose_count;
+    int attempts; // of this student in the folder, where each is a hand-in; this is the newest, or all are
+                  // graded
 } RosterEntry;
 
 // What is not graded, and why: both as text.

@@ -109,9 +109,13 @@ static bool take_lock(RunSettings *plan, const char *path, bool alone) {
 
 bool run_settings_open(RunSettings *plan, const ClassSettings *settings) {
     char path[FILES_PATH];
-    files_join(path, settings->output, "class.json");
     *plan = (RunSettings){.lock = -1};
+    if (!settings->output)
+        return from_settings(plan, settings);
+    files_join(path, settings->output, "class.json");
     if (!files_exists(path)) {
+        if (settings->dry_run)
+            return from_settings(plan, settings);
         if (settings->gather)
             return check_fail("%s holds no class run", settings->output);
         char *text = from_settings(plan, settings) ? to_text(plan) : NULL;
@@ -122,8 +126,8 @@ bool run_settings_open(RunSettings *plan, const ClassSettings *settings) {
     } else if (!from_file(plan, path) || !agrees(plan, settings)) {
         return false;
     }
-    return from_file(plan, path) &&
-           (settings->gather || settings->list || take_lock(plan, path, !settings->only));
+    return from_file(plan, path) && (settings->gather || settings->list || settings->dry_run ||
+                                     take_lock(plan, path, !settings->only));
 }
 
 void run_settings_close(RunSettings *plan) {

@@ -19,7 +19,7 @@ typedef struct RunSettings {
 // Reads OUT/class.json, or makes it of the settings when it is not there yet; of several that begin at once,
 // all get the same. Takes a lock on OUT: a run of the whole class must be alone, runs with --only may be
 // many. False with a message: another run is at work, a run is there already, or the settings want something
-// else than it.
+// else than it. A dry run makes and locks nothing.
 bool run_settings_open(RunSettings *plan, const ClassSettings *settings);
 void run_settings_close(RunSettings *plan);
 

@@ -35,9 +35,10 @@ static void find_stale(Table *table, const Origin *origin) {
 void table_read(Table *table, const char *output, const Roster *roster, const RunSettings *plan,
                 const Origin *origin) {
     const size_t count = (size_t)roster->count;
-    *table = (Table){roster, plan, calloc(count, sizeof(json_t *)), calloc(count, sizeof *table->stale)};
+    *table =
+        (Table){roster, plan, origin, calloc(count, sizeof(json_t *)), calloc(count, sizeof *table->stale)};
     INVARIANT(table->records && table->stale);
-    for (int i = 0; i < roster->count; i++)
+    for (int i = 0; output && i < roster->count; i++)
         table->records[i] = submission_record_read(output, &roster->entries[i]);
     find_stale(table, origin);
 }

@@ -11,12 +11,14 @@
 typedef struct Table {
     const Roster *roster;
     const RunSettings *plan;
+    const Origin *origin;       // what grades are made by now
     json_t **records;           // one an entry, NULL where there is none
     char (*stale)[ORIGIN_TEXT]; // one an entry: what is another now than when it was graded; "" for nothing
 } Table;
 
-// Reads the records of the roll's entries from OUT. Roll and plan must outlive the table. Stale is what was
-// graded by another rubric than today's, and where several graders were at work, what was not by this one.
+// Reads the records of the roll's entries from OUT (NULL: there are none). All three must outlive the table.
+// Stale is what was graded by another rubric than today's, and where several graders were at work, what was
+// not by this one.
 void table_read(Table *table, const char *output, const Roster *roster, const RunSettings *plan,
                 const Origin *origin);
 void table_free(Table *table); // accepts a zeroed table

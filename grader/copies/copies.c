@@ -22,10 +22,10 @@ typedef struct CopyLab {
     CodePrint given, *prints; // one a hand-in
 } CopyLab;
 
-typedef struct CopyPair {
+typedef struct Overlap {
     int first, second, common, own; // own: the hashes of the one that has fewer
-    bool equal;
-} CopyPair;
+    CopyEqual equal;
+} Overlap;
 
 // The lab's files in the folder, one after the other; "" when there are none.
 static char *read_lab(const Rubric *rubric, const char *folder) {
@@ -98,7 +98,7 @@ static CodePrint find_frequent(const CopyLab *lab, int count, int most) {
     size_t total = 0, at = 0;
     for (int i = 0; i < count; i++)
         total += (size_t)lab->prints[i].count;
-    CodePrint all = {0, calloc(total + 1, sizeof *all.hashes), 0};
+    CodePrint all = {.hashes = calloc(total + 1, sizeof *all.hashes)};
     INVARIANT(all.hashes);
     for (int i = 0; i < count; at += (size_t)lab->prints[i++].count)
         if (lab->prints[i].count > 0)
@@ -124,27 +124,29 @@ static void drop(CodePrint *print, const CodePrint *frequent) {
 }
 
 static int by_share(const void *a, const void *b) {
-    const CopyPair *x = a, *y = b;
+    const Overlap *x = a, *y = b;
     const long left = (long)x->common * y->own, right = (long)y->common * x->own;
     if (x->equal != y->equal)
-        return x->equal ? -1 : 1;
+        return x->equal > y->equal ? -1 : 1;
     if (left != right)
         return left > right ? -1 : 1;
     return x->first != y->first ? x->first - y->first : x->second - y->second;
 }
 
-static CopyPair compare(const CopyLab *lab, int first, int second) {
+static Overlap compare(const CopyLab *lab, int first, int second) {
     const CodePrint *a = &lab->prints[first], *b = &lab->prints[second];
-    return (CopyPair){first, second, fingerprint_common(a, b), a->count < b->count ? a->count : b->count,
-                      a->whole == b->whole};
+    return (Overlap){first, second, fingerprint_common(a, b), a->count < b->count ? a->count : b->count,
+                     a->named == b->named   ? COPY_EVERY_WORD
+                     : a->whole == b->whole ? COPY_BUT_NAMES
+                                            : COPY_DIFFERS};
 }
 
 // Those that look copied, the most alike first; *pairs is to be freed.
-static int find_pairs(CopyPair **pairs, const CopyLab *lab, const bool *own, int count) {
+static int find_overlaps(Overlap **pairs, const CopyLab *lab, const bool *own, int count) {
     int found = 0;
     for (int i = 0; i < count; i++)
         for (int j = i + 1; j < count; j++) {
-            const CopyPair pair = compare(lab, i, j);
+            const Overlap pair = compare(lab, i, j);
             if (!own[i] || !own[j] ||
                 !(pair.equal || (pair.own >= LEAST_OWN && pair.common >= least_share * pair.own)))
                 continue;
@@ -159,41 +161,50 @@ static int find_pairs(CopyPair **pairs, const CopyLab *lab, const bool *own, int
     return found;
 }
 
-static int write_lab(FILE *out, const Table *table, CopyLab *lab, const char *id) {
-    const int count = table->roster->count;
+static void keep(Copies *copies, const Overlap *pairs, int count, int lab) {
+    copies->pairs = realloc(copies->pairs, sizeof *copies->pairs * (size_t)(copies->count + count + 1));
+    INVARIANT(copies->pairs);
+    for (int i = 0; i < count; i++)
+        copies->pairs[copies->count++] =
+            (CopyPair){lab, pairs[i].first, pairs[i].second,
+                       pairs[i].equal ? 100 : 100.0 * pairs[i].common / pairs[i].own, pairs[i].equal};
+}
+
+static void find_in_lab(Copies *copies, CopyLab *lab, int number, int count) {
     CodePrint frequent = find_frequent(lab, count, 4 + count / 10);
     bool *own = calloc((size_t)count + 1, sizeof *own); // is there anything of their own?
-    CopyPair *pairs = NULL;
+    Overlap *pairs = NULL;
     INVARIANT(own);
     for (int i = 0; i < count; i++) {
         own[i] = lab->prints[i].count >= LEAST_OWN;
         drop(&lab->prints[i], &frequent);
     }
-    int found = find_pairs(&pairs, lab, own, count);
-    found = found < MOST_PAIRS ? found : MOST_PAIRS;
-    for (int i = 0; i < found; i++) {
-        fprintf(out, "%s,%.0f,%s,", id, pairs[i].equal ? 100.0 : 100.0 * pairs[i].common / pairs[i].own,
-                pairs[i].equal ? "equal" : "");
-        csv_write_cell(out, table->roster->entries[pairs[i].first].shown);
-        fputc(',', out);
-        csv_write_cell(out, table->roster->entries[pairs[i].second].shown);
-        fputc('\n', out);
-    }
+    const int found = find_overlaps(&pairs, lab, own, count);
+    keep(copies, pairs, found < MOST_PAIRS ? found : MOST_PAIRS, number);
     free(pairs);
     free(own);
     fingerprint_destroy(&frequent);
-    return found;
 }
 
-static bool write_file(const Table *table, CopyLab *labs, const char *output, int *count) {
+const char *copies_equal_name(CopyEqual equal) {
+    return equal == COPY_EVERY_WORD ? "every word" : equal == COPY_BUT_NAMES ? "all but names" : "";
+}
+
+bool copies_write(const Copies *copies, const Table *table, const char *output) {
     char path[FILES_PATH], *text = NULL;
     size_t size;
     FILE *out = open_memstream(&text, &size);
     INVARIANT(out);
     fputs("lab,percent,equal,first,second\n", out);
-    *count = 0;
-    for (int n = 0; n < table->plan->lab_count; n++)
-        *count += write_lab(out, table, &labs[n], table->plan->labs[n]);
+    for (int i = 0; i < copies->count; i++) {
+        const CopyPair *pair = &copies->pairs[i];
+        fprintf(out, "%s,%.0f,%s,", table->plan->labs[pair->lab], pair->percent,
+                copies_equal_name(pair->equal));
+        csv_write_cell(out, table->roster->entries[pair->first].shown);
+        fputc(',', out);
+        csv_write_cell(out, table->roster->entries[pair->second].shown);
+        fputc('\n', out);
+    }
     fclose(out);
     files_join(path, output, "copies.csv");
     const bool ok = files_write_whole(path, text, true);
@@ -201,18 +212,25 @@ static bool write_file(const Table *table, CopyLab *labs, const char *output, in
     return ok;
 }
 
-bool copies_write(const Table *table, const ClassSettings *settings, int *count) {
+bool copies_find(Copies *copies, const Table *table, const ClassSettings *settings) {
     static CopyLab labs[COURSE_MAX_LABS];
     Jail jail = {0};
     const Jail *chosen = NULL;
+    *copies = (Copies){.count = 0};
     bool ok = jail_choose(&jail, settings->route, false, "grade", &chosen);
     for (int n = 0; n < table->plan->lab_count; n++)
         ok = ok && open_lab(&labs[n], table->plan->labs[n], table->roster->count);
     for (int i = 0; ok && i < table->roster->count; i++)
         read_hand_in(table, i, chosen, labs);
-    ok = ok && write_file(table, labs, settings->output, count);
+    for (int n = 0; ok && n < table->plan->lab_count; n++)
+        find_in_lab(copies, &labs[n], n, table->roster->count);
     for (int n = 0; n < table->plan->lab_count; n++)
         close_lab(&labs[n], table->roster->count);
     jail_destroy(&jail);
     return ok;
+}
+
+void copies_destroy(Copies *copies) {
+    free(copies->pairs);
+    *copies = (Copies){.count = 0};
 }

@@ -13,6 +13,7 @@
 typedef struct TokenList {
     uint64_t *tokens; // hashes
     int count;
+    uint64_t named; // of the tokens as they stand
 } TokenList;
 
 // Words that are no names: they say what the code does.
@@ -112,15 +113,19 @@ static const char *take_token(const char *at, uint64_t *hash) {
 }
 
 static TokenList cut(const char *text) {
-    TokenList list = {calloc(strlen(text) + 1, sizeof *list.tokens), 0};
+    TokenList list = {calloc(strlen(text) + 1, sizeof *list.tokens), 0, HASH_START};
     INVARIANT(list.tokens);
-    while (*text)
-        if (isspace((unsigned char)*text) || *text == '\\')
+    while (*text) {
+        const char *begin = text;
+        if (isspace((unsigned char)*text) || *text == '\\') {
             text++;
-        else if (text[0] == '/' && (text[1] == '/' || text[1] == '*'))
+        } else if (text[0] == '/' && (text[1] == '/' || text[1] == '*')) {
             text = after_comment(text);
-        else
+        } else {
             text = take_token(text, &list.tokens[list.count++]);
+            list.named = hash_bytes(hash_bytes(list.named, begin, (size_t)(text - begin)), "", 1);
+        }
+    }
     return list;
 }
 
@@ -147,7 +152,7 @@ static bool holds(const CodePrint *given, uint64_t hash) {
 static CodePrint grams(const char *text, const CodePrint *given) {
     TokenList list = cut(text);
     CodePrint all = {hash_bytes(HASH_START, list.tokens, sizeof *list.tokens * (size_t)list.count),
-                     calloc((size_t)list.count + 1, sizeof *all.hashes), 0};
+                     list.named, calloc((size_t)list.count + 1, sizeof *all.hashes), 0};
     INVARIANT(all.hashes);
     for (int i = 0; i + FINGERPRINT_GRAM <= list.count; i++) {
         const uint64_t hash = hash_bytes(HASH_START, list.tokens + i, sizeof *list.tokens * FINGERPRINT_GRAM);

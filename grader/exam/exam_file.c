@@ -3,52 +3,19 @@
 #include "exam/exam_file.h"
 
 #include "scene/check.h"
-#include "base/places.h"
 #include "exam/exam_matrix.h"
 #include "exam/exam_reset.h"
 #include "exam/exam_facts.h"
-#include "exam/handed_out.h"
 
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/random.h>
 
 // A check's frames lie one below the other in one PNG: of each variant the reference, and then what differs
 // from it, as the exclusive or with the reference, which is mostly 0. Other frames refer to theirs by its
 // distance from the reference, 0 for the reference itself.
-enum {
-    MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + EXAM_MAX_PARTS + 3,
-    MAX_SEEDS = 10000
-};
-
-static bool take_seed(const JsonPlace *file, const json_t *seeds, size_t i, uint64_t *seed) {
-    const char *text = json_string_value(json_array_get(seeds, i));
-    const size_t length = text ? strlen(text) : 0;
-    if (length == 0 || length > 20 || strspn(text, "0123456789") != length) {
-        const JsonPlace place = json_fields_enter(file, "", i, NULL);
-        return json_fields_fail(&place, "", "is no seed; write a whole number of 64 bits as a text");
-    }
-    *seed = strtoull(text, NULL, 10);
-    return true;
-}
-
-bool exam_file_draw_seed(uint64_t *seed) {
-    char path[FILES_PATH];
-    ssize_t drawn = getrandom(seed, sizeof *seed, 0);
-    INVARIANT(drawn == sizeof *seed);
-    if (!handed_out_alone())
-        return true;
-    places_path(path, "grader/recorded");
-    const JsonPlace file = {.folder = path, .file = "seeds.json"};
-    json_t *seeds = json_fields_read(&file, NULL, 0, JSON_ARRAY);
-    bool ok =
-        seeds && json_fields_fits(&file, seeds, &(JsonField){"", FIELD_LIST, FIELD_NEEDED, 1, MAX_SEEDS});
-    ok = ok && take_seed(&file, seeds, (size_t)(*seed % json_array_size(seeds)), seed);
-    json_decref(seeds);
-    return ok;
-}
+enum { MAX_FRAMES = EXAM_MAX_MISTAKES + EXAM_MAX_TASKS + RUBRIC_MAX_ALSO + EXAM_MAX_PARTS + 3 };
 
 static void place(char path[FILES_PATH], const char *folder, uint64_t seed, const char *end) {
     char name[64];
@@ -258,4 +225,30 @@ bool exam_file_load(Exam *exam, const Rubric *rubric, uint64_t seed) {
         exam_destroy(exam);
     json_decref(root);
     return ok || check_fail("%s and its pictures do not fit the rubric", path);
+}
+
+static bool load_reference(const Exam *exam, int c, int n, const json_t *checks, Variant *variant) {
+    char path[FILES_PATH];
+    Image strip = {0};
+    const json_t *entry = json_array_get(json_array_get(checks, (size_t)c), (size_t)n);
+    const int base = (int)json_integer_value(json_object_get(entry, "frame"));
+    image_destroy(&variant->reference);
+    *variant = exam->variants[c][n];
+    place_strip(path, exam->rubric->folder, exam->seed, c);
+    const bool ok =
+        image_read_png(&strip, path) && cut(&variant->reference, &strip, &variant->request, base, 0);
+    image_destroy(&strip);
+    return ok;
+}
+
+bool exam_file_reference(const Rubric *rubric, uint64_t seed, int c, int n, Variant *variant) {
+    char path[FILES_PATH];
+    place(path, rubric->folder, seed, ".json");
+    json_t *root = json_load_file(path, 0, NULL), *checks = json_object_get(root, "checks");
+    Exam *exam = calloc(1, sizeof *exam);
+    const bool ok = exam && json_array_size(checks) == (size_t)rubric->check_count &&
+                    restore(exam, rubric, seed, checks) && load_reference(exam, c, n, checks, variant);
+    free(exam);
+    json_decref(root);
+    return ok || check_fail("%s and its pictures are not whole: unpack the kit again", path);
 }

@@ -20,7 +20,7 @@ static bool ensure_worker(Painters *painters) {
                                       .trust = TRUST_OURS,
                                       .context = painters->context,
                                       .quick_shaders = !painters->measures,
-                                      .hardware = painters->measures};
+                                      .hardware = painters->measures && painters->context == CONTEXT_EGL};
     return worker_client_start(&painters->client);
 }
 

@@ -3,6 +3,7 @@
 #include "exam/worker_client.h"
 
 #include "scene/check.h"
+#include "base/context_choice.h"
 #include "compile/compiler.h"
 #include "protocol/description.h"
 #include "base/places.h"
@@ -54,6 +55,7 @@ bool worker_client_start(WorkerClient *client) {
     places_build_path(cache, "cache/shaders");
     snprintf(cache_setting, sizeof cache_setting, "MESA_SHADER_CACHE_DIR=%s", cache);
     bool ours = client->trust == TRUST_OURS;
+    const bool known = context_choose(&client->context);
     char *arguments[] = {worker, (char *)context_name(client->context), client->folder, shaders, NULL};
     enum { MOST_VARIABLES = 20 };
     char *environment[MOST_VARIABLES + 1] = {
@@ -87,7 +89,7 @@ bool worker_client_start(WorkerClient *client) {
         plan.limits.resident_mib = MEMORY_MIB;
     }
     client->greeted = false;
-    client->started = jail_start(client->jail, &plan, &client->process, arguments, environment);
+    client->started = known && jail_start(client->jail, &plan, &client->process, arguments, environment);
     client->fault = !client->started;
     return client->started;
 }

@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "base/places.h"
 #include "grade/attempt.h"
+#include "grade/found_lab.h"
 #include "intake/submission.h"
 #include "grade/lab_verdict.h"
 
@@ -49,17 +50,6 @@ static bool begin_report(Session *session, Report *report) {
     return report->labs || check_fail("out of memory");
 }
 
-static void name_missing(const Submission *submission, const Rubric *rubric, char *text, size_t size) {
-    const char *name = strrchr(rubric->folder, '/') + 1;
-    if (submission_nameless(submission))
-        snprintf(text, size, "there is a lab.c, but nothing tells of which lab: put it into %s/", name);
-    else if (submission->why[0])
-        snprintf(text, size, "not handed in: there is no folder %s, and an archive inside is bad: %s", name,
-                 submission->why);
-    else
-        snprintf(text, size, "not handed in: there is no folder %s (a link is none)", name);
-}
-
 // Somebody who hands in one lab, and is not asked for all, is not told of the others.
 static bool is_left_out(const Session *session, const Submission *submission) {
     return !session->complete && submission->single;
@@ -79,7 +69,7 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
         ok = grade_lab(result, examiner, theirs, &session->options);
         grade_warn(result, note);
     } else {
-        name_missing(submission, &examiner->rubric, text, sizeof text);
+        found_lab_missing(text, sizeof text, submission, &examiner->rubric);
         grade_begin(result, &examiner->rubric);
         grade_refuse(result, text);
         result->missing = !submission_nameless(submission) && !submission->why[0];

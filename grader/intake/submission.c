@@ -201,8 +201,7 @@ void submission_close(Submission *submission) {
     memset(submission, 0, sizeof *submission);
 }
 
-// The folder as its owner knows it.
-static const char *shown(const Submission *submission, const char *folder) {
+const char *submission_shown(const Submission *submission, const char *folder) {
     const char *top =
         submission->unpacked[0] && strncmp(folder, submission->unpacked, strlen(submission->unpacked)) == 0
             ? submission->unpacked
@@ -228,7 +227,7 @@ const char *submission_find(const Submission *submission, const char *id, char *
     }
     if (best && other && other->rank < RANK_EMPTY)
         snprintf(note, size, "lab %s is there twice: %.150s is graded, not %.150s", id,
-                 shown(submission, best->folder), shown(submission, other->folder));
+                 submission_shown(submission, best->folder), submission_shown(submission, other->folder));
     return best ? best->folder : NULL;
 }
 

@@ -42,6 +42,9 @@ void submission_close(Submission *submission);
 // others, "" for none. NULL when there is none. A link to a folder is none, for it may lead out.
 const char *submission_find(const Submission *submission, const char *id, char *note, size_t size);
 
+// The folder as who handed it in knows it: within what was handed in, or within an archive.
+const char *submission_shown(const Submission *submission, const char *folder);
+
 // The only folder with a lab.c of which nothing within what was handed in tells of which lab it is: it is of
 // the one lab that is asked for. NULL when there is none or more.
 const char *submission_nameless(const Submission *submission);

@@ -68,8 +68,8 @@ static void add_system_mount(BwrapCommand *command, const char *path, int *links
 static void add_bwrap(BwrapCommand *command, const Jail *jail, const JailPlan *plan) {
     // Never --new-session: all must stay in the process's group, by which it is ended.
     static const char *const first[] = {
-        "bwrap",         "--unshare-user", "--unshare-ipc",        "--unshare-pid",
-        "--unshare-net", "--unshare-uts",  "--unshare-cgroup-try", "--die-with-parent"};
+        "bwrap",         "--unshare-user",       "--unshare-ipc",     "--unshare-pid", "--unshare-net",
+        "--unshare-uts", "--unshare-cgroup-try", "--die-with-parent", "--hostname",    "shadow-lab"};
     int links = 0;
     for (unsigned i = 0; i < COUNT(first); i++)
         add(command, first[i]);

@@ -150,7 +150,9 @@ static const CommandLine command_line = {
 
 int main(int count, char **arguments) {
     char lab[3];
+    ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, lab, count, arguments);
+    command_line_settle_context(&command_line, &context);
     signal(SIGPIPE, SIG_IGN);
     if (bench(lab))
         return 0;

@@ -73,8 +73,9 @@ static const Option options[] = {
     {"submission", 0, "DIR", "its lab NN is charted, too (labs/ or the folder of one lab)", AT(submission),
      option_text},
     {"trusted", 0, NULL, "the submission is my own work: no jail", AT(trusted), option_flag},
-    {"context", 0, "C", "osmesa (default): CPU times; egl: times of the GPU that EGL finds", AT(context),
-     option_context},
+    {"context", 0, "C",
+     "osmesa: CPU times (default; where there is no OSMesa, by EGL); egl: times of the GPU that EGL\nfinds",
+     AT(context), option_context},
     {"quick", 0, NULL,
      "small pictures and few frames: some minutes; their pixels are larger, so less is enough", AT(quick),
      option_flag},
@@ -258,6 +259,8 @@ int main(int count, char **arguments) {
         return compare(command.compared);
     if (command.list)
         return list();
+    ContextKind drawing = command.context; // CONTEXT_ANY stays: only who asks for EGL gets a GPU's times
+    command_line_settle_context(&command_line, &drawing);
     signal(SIGPIPE, SIG_IGN);
     char standard[FILES_PATH];
     places_build_path(standard, "study");

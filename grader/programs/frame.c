@@ -174,11 +174,8 @@ static bool draw(FrameCommand *command, const Rubric *rubric, const char *path) 
 int main(int count, char **arguments) {
     static FrameCommand command = {
         .seed = 1, .request = {.magic = PROTOCOL_MAGIC, .width = 480, .height = 360, .view = VIEW_PICTURE}};
-    if (!option_context_of_environment(&command.context, "frame")) {
-        command_line_complain(&command_line, check_message());
-        return 2;
-    }
     command_line_take(&command_line, &command, count, arguments);
+    command_line_settle_context(&command_line, &command.context);
     signal(SIGPIPE, SIG_IGN);
     char folder[FILES_PATH];
     Rubric rubric = {0};

@@ -1,13 +1,14 @@
 // The grader, of one submission or of a whole class. See grader/README.md.
 #include "scene/check.h"
 #include "book/compare.h"
+#include "book/dry_run.h"
 #include "book/gradebook.h"
 #include "class/class.h"
 #include "intake/archive.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
-#include "grade/progress.h"
-#include "exam/exam_file.h"
+#include "grade/record_report.h"
+#include "exam/exam_seeds.h"
 #include "exam/handed_out.h"
 #include "report/evidence_files.h"
 #include "base/command_line.h"
@@ -110,6 +111,10 @@ static const Option options[] = {
     {"compare", 0, "OLD",
      "who has other points in OUT NEW than in OLD, and by which checks; --output DIR: also\nDIR/changes.csv",
      AT(compare), option_text},
+    {"dry-run", 0, NULL,
+     "grade and write nothing: print what is found in each hand-in, and what would be graded;\n--output may "
+     "be left out",
+     AT(class.dry_run), option_flag},
     {"list", 0, NULL, "print the names of the results, one a line; with --resume: of what is not graded",
      AT(class.list), option_flag},
     {0}};
@@ -127,10 +132,17 @@ static bool can_be_opened(const char *path) {
 
 static bool goes_with_tables(const GradeCommand *command) {
     const GradebookSettings *book = &command->book;
-    bool away = book->anonymous;
-    for (int k = 0; k < EXPORT_KINDS; k++)
-        away = away || book->exports[k];
-    return !book->no_points || away || check_fail("--no-points goes with --export or --anonymous");
+    return !book->no_points || gradebook_gives_away(book) ||
+           check_fail("--no-points goes with --export or --anonymous");
+}
+
+static bool goes_with_dry_run(const GradeCommand *command) {
+    const ClassSettings *class = &command->class;
+    const GradebookSettings *book = &command->book;
+    return !class->dry_run ||
+           (!class->gather && !class->list && !gradebook_gives_away(book) && !book->copies) ||
+           check_fail("--dry-run writes nothing: it does not go with --gather, --list, --export, --anonymous "
+                      "or --copies");
 }
 
 static bool check_class(GradeCommand *command, const Operands *operands) {
@@ -140,16 +152,10 @@ static bool check_class(GradeCommand *command, const Operands *operands) {
         return check_fail("a class is graded in the jail only: --trusted does not go with --class");
     if (operands->count > 0)
         return check_fail("with --class there is no SUBMISSION: \"%s\"", operands->texts[0]);
-    return (class->output || (class->list && !class->resume) || check_fail("--class needs --output OUT")) &&
-           is_folder(class->folder) && goes_with_tables(command) && book_check_files(&command->book.files);
-}
-
-static bool has_book_options(const GradebookSettings *book) {
-    bool has = book->files.roster || book->files.overrides || book->files.late || book->anonymous ||
-               book->no_points || book->copies;
-    for (int k = 0; k < EXPORT_KINDS; k++)
-        has = has || book->exports[k];
-    return has;
+    return (class->output || class->dry_run || (class->list && !class->resume) ||
+            check_fail("--class needs --output OUT")) &&
+           goes_with_dry_run(command) && is_folder(class->folder) && goes_with_tables(command) &&
+           book_check_files(&command->book.files);
 }
 
 static bool check(void *settings, const Operands *operands) {
@@ -159,11 +165,11 @@ static bool check(void *settings, const Operands *operands) {
         return check_fail("--trusted and --jail exclude each other");
     if (class->folder && !command->compare)
         return check_class(command, operands);
-    if (has_book_options(&command->book))
+    if (gradebook_is_asked_for(&command->book))
         return check_fail(
             "--roster, --overrides, --due, --export, --anonymous, --no-points and --copies go with --class");
-    if (class->jobs || class->resume || class->gather || class->list || class->only)
-        return check_fail("-j, --resume, --only, --gather and --list go with --class");
+    if (class->jobs || class->resume || class->gather || class->list || class->only || class->dry_run)
+        return check_fail("-j, --resume, --only, --gather, --list and --dry-run go with --class");
     command->submission = operands->texts[0];
     if (command->compare)
         return operands->count == 1 && !class->folder
@@ -177,8 +183,9 @@ static const CommandLine command_line = {
     .forms = "[options] SUBMISSION\n[options] --class DIR --output OUT\n--compare OLD NEW [--output DIR]",
     .about = "Grades a SUBMISSION: a folder or an archive in which the labs' folders lie at any depth.\n",
     .options = options,
-    .ending =
-        "exit status: 0 all passed (of a class: all graded), 1 not all passed, 2 usage, 3 could not grade\n",
+    .ending = "exit status: 0 all passed (of a class: all graded; --dry-run: all can be graded), 1 not all "
+              "passed (--dry-run:\n"
+              "some need a look), 2 usage, 3 could not grade\n",
     .operand = "SUBMISSION",
     .most = 1,
     .check = check,
@@ -203,31 +210,6 @@ static bool all_passed(const Report *report) {
     for (int i = 0; i < report->lab_count; i++)
         passed = passed && report->labs[i].status == LAB_PASSED;
     return passed;
-}
-
-static bool record_lab(Progress *progress, const LabResult *lab, const Session *session) {
-    MistakesMet met = {0};
-    for (int i = 0; i < session->lab_count; i++)
-        for (int c = 0; c < lab->check_count && strcmp(session->examiners[i].rubric.id, lab->id) == 0; c++)
-            if (lab->checks[c].has_cause && !lab->checks[c].undone)
-                mistakes_met_add(&met, &session->examiners[i].rubric, lab->checks[c].mistake);
-    return progress_record(progress, lab->id, lab->score, lab->max_score, result_done(lab), &met);
-}
-
-// What does not compile is no step back: only labs that were drawn are noted.
-static void record(const Report *report, const Session *session, bool told) {
-    static Progress progress;
-    for (int i = 0; i < report->lab_count; i++) {
-        const LabResult *lab = &report->labs[i];
-        check_clear();
-        if (lab->status <= LAB_FAILED && !record_lab(&progress, lab, session))
-            fprintf(stderr, "grade: %s\n", check_message());
-        if (told && result_done(lab))
-            printf("Lab %s is done. The answer to its question, and what to try: make answer LAB=%s\n",
-                   lab->id, lab->id);
-    }
-    if (progress.note[0])
-        fprintf(stderr, "grade: %s\n", progress.note);
 }
 
 // Pages and Gradescope's results go to students, who may not keep our pictures; where there are no solutions
@@ -257,7 +239,7 @@ static int grade_submission(const GradeCommand *command) {
     else
         fprintf(stderr, "grade: could not grade: %s\n", check_message());
     if (command->record && status != EXIT_COULD_NOT)
-        record(&report, &session, command->format == REPORT_TEXT);
+        record_report(&report, &session, command->format == REPORT_TEXT);
     session_free(&report);
     session_close(&session);
     jail_destroy(&jail);
@@ -271,26 +253,39 @@ static int compare(const GradeCommand *command) {
     return EXIT_COULD_NOT;
 }
 
+// What only reads records needs no context.
+static bool draws(const GradeCommand *command) {
+    return !command->compare && !command->class.gather && !command->class.list && !command->class.dry_run;
+}
+
+static int dry_run(const ClassSettings *class, const BookFiles *files) {
+    DryRun run = {.files = *files};
+    run.files.only_read = true;
+    if (!class_run(class, dry_run_print, &run))
+        return EXIT_COULD_NOT;
+    return run.strange > 0 ? EXIT_NOT_ALL : EXIT_ALL_PASSED;
+}
+
 static int grade(GradeCommand *command) {
     ClassSettings *class = &command->class;
     if (command->compare)
         return compare(command);
-    if (!class->seeded && !exam_file_draw_seed(&class->seed)) {
+    if (!class->seeded && !exam_seeds_draw(&class->seed)) {
         fprintf(stderr, "grade: %s\n", check_message());
         return EXIT_COULD_NOT;
     }
     if (!class->folder)
         return grade_submission(command);
+    if (class->dry_run)
+        return dry_run(class, &command->book.files);
     return class_run(class, gradebook_write, &command->book) ? EXIT_ALL_PASSED : EXIT_COULD_NOT;
 }
 
 int main(int count, char **arguments) {
     static GradeCommand command = {.class.seconds = 20};
-    if (!option_context_of_environment(&command.class.context, "grade")) {
-        command_line_complain(&command_line, check_message());
-        return EXIT_USAGE;
-    }
     command_line_take(&command_line, &command, count, arguments);
+    if (draws(&command))
+        command_line_settle_context(&command_line, &command.class.context);
     signal(SIGPIPE, SIG_IGN);
     const int status = grade(&command);
     free(command.class.only);

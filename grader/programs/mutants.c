@@ -64,7 +64,10 @@ static const CommandLine command_line = {
 int main(int count, char **arguments) {
     static Run run = {.settings.seeds = 1};
     run.settings.processes = (int)sysconf(_SC_NPROCESSORS_ONLN);
+    ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &run, count, arguments);
+    if (!run.list)
+        command_line_settle_context(&command_line, &context);
     signal(SIGPIPE, SIG_IGN);
     temporary_on_signals();
     if (!run.list)

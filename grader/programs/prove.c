@@ -133,11 +133,8 @@ static const CommandLine command_line = {
 
 int main(int count, char **arguments) {
     ProveCommand command = {.seeds = 10};
-    if (!option_context_of_environment(&command.context, "prove")) {
-        command_line_complain(&command_line, check_message());
-        return 2;
-    }
     command_line_take(&command_line, &command, count, arguments);
+    command_line_settle_context(&command_line, &command.context);
     Proof proof = {.seeds = command.seeds, .context = command.context};
     signal(SIGPIPE, SIG_IGN);
     printf(

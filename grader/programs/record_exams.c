@@ -49,14 +49,15 @@ static json_t *public_alternatives(const Rubric *rubric) {
     return list;
 }
 
-// A lab need not have one.
-static bool record_afterword(const Rubric *rubric, const char *folder) {
-    json_t *afterword = read_json(rubric, "afterword.json");
-    return !afterword || write_json(folder, "afterword.json", afterword);
+// A lab need not have it.
+static bool record_if_there(const Rubric *rubric, const char *folder, const char *name) {
+    json_t *json = read_json(rubric, name);
+    return !json || write_json(folder, name, json);
 }
 
 static bool record_texts(const Rubric *rubric, const char *folder) {
-    return record_afterword(rubric, folder) &&
+    return record_if_there(rubric, folder, "afterword.json") &&
+           record_if_there(rubric, folder, "captions.json") &&
            write_json(folder, "rubric.json", read_json(rubric, "rubric.json")) &&
            write_json(folder, "hints.json", read_json(rubric, "hints.json")) &&
            write_json(folder, "mistakes.json", public_mistakes(rubric)) &&
@@ -134,7 +135,9 @@ static bool record_all(const RecordCommand *command) {
 
 int main(int count, char **arguments) {
     RecordCommand command = {0};
+    ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &command, count, arguments);
+    command_line_settle_context(&command_line, &context);
     signal(SIGPIPE, SIG_IGN);
     bool ok = record_all(&command);
     if (!ok)

@@ -111,7 +111,9 @@ static const CommandLine command_line = {
 
 int main(int count, char **arguments) {
     SceneTable table = {0};
+    ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &table, count, arguments);
+    command_line_settle_context(&command_line, &context);
     signal(SIGPIPE, SIG_IGN);
     printf("%s", table.power
                      ? "| lab | scene | what | without it |\n|---|---|---|---|\n"

@@ -159,7 +159,9 @@ int main(int count, char **arguments) {
     places_build_path(standard, "study");
     command.output = standard;
     command.row_count = row_list(command.rows);
+    ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &command, count, arguments);
+    command_line_settle_context(&command_line, &context);
     signal(SIGPIPE, SIG_IGN);
     return run(&command);
 }

@@ -120,7 +120,9 @@ int main(int count, char **arguments) {
     static Sweep sweep = {.request = {.width = 480, .height = 360, .view = "picture"}};
     static LabArtist artist;
     TruthView truth_view = {0};
+    ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &sweep, count, arguments);
+    command_line_settle_context(&command_line, &context);
     char folder[FILES_PATH];
     snprintf(folder, sizeof folder, "%.4000s/", sweep.folder);
     const StudyScene *scene = find_scene(sweep.scene);

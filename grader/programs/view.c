@@ -15,6 +15,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -29,6 +30,7 @@ static struct {
     int buttons;      // bits
     bool drags_split; // since the button went down
     bool redraw;
+    atomic_bool opened;
     int saved; // pictures
     bool failed;
     char told[200]; // the last problem that was printed
@@ -41,13 +43,15 @@ static void on_signal(int number) {
     stopped = 1;
 }
 
+// Feeds begin before the window is there.
 static void wake(void) {
-    glfwPostEmptyEvent();
+    if (view.opened)
+        glfwPostEmptyEvent();
 }
 
 static void save_as(const char *path) {
     check_clear();
-    bool ok = window_save(&view.window, &view.app, path);
+    bool ok = app_is_whole(&view.app) && window_save(&view.window, &view.app, path);
     app_notice(&view.app, ok ? "saved as %s" : "not saved: %s", ok ? path : check_message());
     printf("%s\n", view.app.notice);
     fflush(stdout);
@@ -93,9 +97,10 @@ static void on_key(GLFWwindow *window, int key, int code, int action, int modifi
 }
 
 static bool is_at_split(double x) {
-    int width, height;
-    glfwGetWindowSize(view.window.handle, &width, &height);
-    return view.app.state.show == SHOW_SPLIT && fabs(x - view.app.state.split * width) < GRAB;
+    int width;
+    glfwGetWindowSize(view.window.handle, &width, NULL);
+    const double away = window_share(&view.window, &view.app, x) - view.app.state.split;
+    return view.app.state.show == SHOW_SPLIT && fabs(away * width) < GRAB;
 }
 
 // The pointer says that the split can be taken.
@@ -116,8 +121,8 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
 }
 
 static void on_cursor(GLFWwindow *window, double x, double y) {
-    int width, height;
-    glfwGetWindowSize(window, &width, &height);
+    int height;
+    glfwGetWindowSize(window, NULL, &height);
     bool shift = glfwGetKey(window, GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS ||
                  glfwGetKey(window, GLFW_KEY_RIGHT_SHIFT) == GLFW_PRESS;
     float dx = (float)((x - view.mouse_x) / fmax(height, 1));
@@ -126,7 +131,7 @@ static void on_cursor(GLFWwindow *window, double x, double y) {
     view.mouse_y = y;
     show_pointer(view.drags_split || (!view.buttons && is_at_split(x)));
     if (view.drags_split)
-        view.app.state.split = fminf(fmaxf((float)(x / fmax(width, 1)), 0), 1);
+        view.app.state.split = fminf(fmaxf(window_share(&view.window, &view.app, x), 0), 1);
     else if (view.buttons)
         keys_drag(&view.app, view.buttons, shift ? GLFW_MOD_SHIFT : 0, dx, dy);
     view.redraw = true;
@@ -191,7 +196,7 @@ static bool is_restless(void) {
 
 static void draw(void) {
     int cursor[2];
-    window_find(&view.window, view.app.state.pixel, view.mouse_x, view.mouse_y, cursor);
+    window_find(&view.window, &view.app, view.mouse_x, view.mouse_y, cursor);
     window_draw(&view.window, &view.app, cursor);
     view.redraw = false;
 }
@@ -204,7 +209,8 @@ static void show(void) {
     const Window *window = &view.window;
     int pixel = window_pixel(window, view.app.state.pixel);
     if (app_tick(&view.app, at_least_one(window->width / pixel), at_least_one(window->height / pixel))) {
-        screen_upload(&view.window.screen, &view.app.composed);
+        if (!window_take(&view.window, &view.app))
+            app_notice(&view.app, "%s", check_message());
         view.redraw = true;
     }
     if (view.redraw || view.app.heard || is_restless())
@@ -234,7 +240,8 @@ static bool run(void) {
     const Request *size = &view.options.request;
     view.start = process_now();
     bool ok =
-        window_open(&view.window, size->width, size->height) && app_create(&view.app, &view.options, wake);
+        app_create(&view.app, &view.options, wake) && window_open(&view.window, size->width, size->height);
+    view.opened = ok;
     if (ok) {
         set_callbacks(view.window.handle);
         glfwShowWindow(view.window.handle);
@@ -243,17 +250,15 @@ static bool run(void) {
         ;
     view_verdict_stop(&view.verdict);
     app_destroy(&view.app);
+    view.opened = false;
     window_close(&view.window);
     return ok && !view.failed;
 }
 
 int main(int count, char **arguments) {
     view.options = (AppOptions){.seed = 1, .seconds = 10, .request = {.width = 800, .height = 600}};
-    if (!option_context_of_environment(&view.options.context, "view")) {
-        command_line_complain(&view_command_line, check_message());
-        return 2;
-    }
     command_line_take(&view_command_line, &view.options, count, arguments);
+    command_line_settle_context(&view_command_line, &view.options.context);
     signal(SIGPIPE, SIG_IGN);
     signal(SIGINT, on_signal);
     signal(SIGTERM, on_signal);

@@ -5,7 +5,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "exam/exam_file.h"
+#include "exam/exam_seeds.h"
 #include "watch/after_lab.h"
 #include "watch/screens.h"
 #include "watch/terminal.h"
@@ -260,8 +260,7 @@ static int run(Watch *watch, const WatchCommand *command) {
 static bool begin(WatchCommand *command) {
     command->grading.seconds = 20;
     places_path(command->folder, "labs");
-    return exam_file_draw_seed(&command->grading.seed) &&
-           option_context_of_environment(&command->grading.context, "watch");
+    return exam_seeds_draw(&command->grading.seed);
 }
 
 int main(int count, char **arguments) {
@@ -272,6 +271,8 @@ int main(int count, char **arguments) {
         return EXIT_USAGE;
     }
     command_line_take(&command_line, &command, count, arguments);
+    if (!command.list && !command.answer && !command.begin_again)
+        command_line_settle_context(&command_line, &command.grading.context);
     signal(SIGPIPE, SIG_IGN);
     if (!lab_board_create(&watch.board, command.folder, command.lab[0] ? command.lab : NULL)) {
         fprintf(stderr, "watch: %s\n", check_message());

@@ -40,6 +40,8 @@ typedef struct Request {
     int32_t
         fresh; // 1: the lab makes its resources again, so that the frame does not depend on those before it
     int32_t gpu_times; // 1: the reply tells the GPU's times, too, by timer queries
+    int32_t own_shape; // 1: a stage keeps the shape of its texture, in the middle of the picture, for people
+                       // to look at; 0: it fills the picture
     int32_t describe;  // 1: a Description instead of a frame; what follows but `folder` does not matter
     char folder[PROTOCOL_PATH]; // of the lab, for a worker that was not given one
     char view[LAB_MAX_NAME];    // a view above or the name of a stage

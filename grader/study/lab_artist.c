@@ -50,8 +50,11 @@ bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *s
         return false;
     if (!places_find_lab_in(folder, submission, id))
         files_join(folder, submission, ".");
-    artist->client = (WorkerClient){
-        .trust = TRUST_NOBODY, .jail = jail, .context = context, .hardware = !jail, .seconds = SECONDS};
+    artist->client = (WorkerClient){.trust = TRUST_NOBODY,
+                                    .jail = jail,
+                                    .context = context,
+                                    .hardware = !jail && context == CONTEXT_EGL,
+                                    .seconds = SECONDS};
     return derive(artist, folder);
 }
 

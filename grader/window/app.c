@@ -1,116 +1,15 @@
-// Starts the feeds, and at each tick: looks at saved files and new pictures, asks for what is missing, and
-// composes.
+// At each tick: looks at saved files and new pictures, asks for what is missing, and composes.
 #include "window/app.h"
 
 #include "scene/check.h"
-#include "compile/rubric_file.h"
-#include "base/places.h"
-#include "intake/submission.h"
+#include "window/counts.h"
 
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 static const double LOOK_EVERY = 0.05, NOTICE_FOR = 4, LONGEST_STEP = 0.5; // seconds
-
-// Where the lab's folder with the student's files lies.
-static bool find_mine(App *app, const char id[3]) {
-    static Submission submission;
-    char labs[FILES_PATH];
-    places_path(labs, "labs");
-    const char *folder = app->options->submission ? app->options->submission : labs;
-    char note[400];
-    if (submission_open(&submission, NULL, folder) != EXTRACT_OK)
-        return false;
-    const char *found = submission_find(&submission, id, note, sizeof note);
-    snprintf(app->folder, sizeof app->folder, "%s", found ? found : "");
-    submission_close(&submission);
-    return found || check_fail("there is no lab %s in %s", id, folder);
-}
-
-static void note_source(const char *name, void *context) {
-    Rubric *rubric = context;
-    if (file_watch_is_source(name) && rubric->file_count < RUBRIC_MAX_FILES)
-        rubric->files[rubric->file_count++] = strdup(name);
-}
-
-// The rubric; where the solutions are not handed out, only the lab's files.
-static bool load_rubric(App *app, const char id[3]) {
-    char folder[FILES_PATH];
-    if (places_find_lab(folder, id))
-        return rubric_load(&app->rubric, folder);
-    check_clear();
-    memcpy(app->rubric.id, id, sizeof app->rubric.id);
-    return files_list(app->folder, note_source, &app->rubric);
-}
-
-// A copy for students has rubrics, but no solutions.
-static bool has_solution(const App *app) {
-    char path[FILES_PATH] = "";
-    if (app->rubric.json)
-        files_join(path, app->rubric.folder, "lab.c");
-    return files_exists(path);
-}
-
-static void start_feed(App *app, FeedKind kind, void (*wake)(void)) {
-    const FeedSetup setup = {{kind, &app->rubric, app->folder, app->options->context, app->options->seconds},
-                             wake};
-    if (kind == FEED_REFERENCE && !has_solution(app))
-        check_fail("no reference here: the solutions are not handed out");
-    else if (feed_start(&app->feeds[kind], &setup))
-        return;
-    snprintf(app->absent[kind], sizeof app->absent[kind], "%s", check_message());
-    check_clear();
-}
-
-static void take_options(App *app) {
-    const AppOptions *options = app->options;
-    ViewState *state = &app->state;
-    view_state_begin(state, &app->rubric);
-    state->seed = options->seed;
-    state->show = options->show;
-    state->against_truth = options->against_truth;
-    state->text = !options->bare;
-    if (options->scene)
-        snprintf(state->scene, sizeof state->scene, "%s", options->scene);
-    if (options->request.view[0])
-        snprintf(state->view, sizeof state->view, "%s", options->request.view);
-    for (int i = 0; i < options->request.knob_count; i++)
-        view_state_set_knob(state, options->request.knobs[i].name, options->request.knobs[i].value);
-}
-
-bool app_create(App *app, const AppOptions *options, void (*wake)(void)) {
-    Request request;
-    const char *id = options->lab;
-    char shaders[FILES_PATH];
-    memset(app, 0, sizeof *app);
-    app->options = options;
-    if (!find_mine(app, id) || !load_rubric(app, id))
-        return false;
-    take_options(app);
-    if (!view_state_request(&app->state, 16, 16, &request))
-        return false;
-    places_path(shaders, "shaders");
-    file_watch_begin(&app->watches[0], app->folder, shaders);
-    file_watch_begin(&app->watches[1], app->rubric.folder ? app->rubric.folder : "", shaders);
-    for (FeedKind kind = 0; kind < FEED_COUNT; kind++)
-        start_feed(app, kind, wake);
-    app->last = process_now();
-    return true;
-}
-
-void app_destroy(App *app) {
-    for (int i = 0; i < FEED_COUNT; i++) {
-        feed_stop(&app->feeds[i]);
-        image_destroy(&app->pictures[i]);
-    }
-    for (int i = 0; !app->rubric.json && i < app->rubric.file_count; i++)
-        free((char *)app->rubric.files[i]);
-    image_destroy(&app->composed);
-    rubric_destroy(&app->rubric);
-}
 
 const char *app_title(const App *app) {
     if (app->table.title[0] || !app->rubric.title)
@@ -141,8 +40,16 @@ static bool all_settled(const App *app) {
 
 void app_renew(App *app) {
     for (int i = 0; i < FEED_COUNT; i++)
-        if (app->feeds[i].running)
+        if (app->feeds[i].running && !app->waiting[i])
             feed_renew(&app->feeds[i]);
+}
+
+// Lets a feed build that has waited for mine.
+static void begin(App *app, FeedKind kind) {
+    if (!app->waiting[kind] || !app->feeds[kind].running)
+        return;
+    app->waiting[kind] = false;
+    feed_renew(&app->feeds[kind]);
 }
 
 static void look_at_files(App *app, double now) {
@@ -150,7 +57,7 @@ static void look_at_files(App *app, double now) {
         return;
     app->looked = now;
     for (int i = 0; i < 2; i++) // in the order of FEED_MINE, FEED_REFERENCE
-        if (app->feeds[i].running && file_watch_found(&app->watches[i]))
+        if (app->feeds[i].running && file_watch_found(&app->watches[i]) && !app->waiting[i])
             feed_renew(&app->feeds[i]);
     check_clear(); // a folder that is just being replaced
 }
@@ -179,8 +86,7 @@ static bool take_pictures(App *app) {
     return fresh;
 }
 
-// What the lab's visibility is: that of its lights or, in a lab that has an occlusion to show, of the sky.
-static const char *truth_view(const App *app) {
+const char *app_truth_view(const App *app) {
     for (int i = 0; i < app->table.stage_count; i++)
         if (strstr(app->table.stages[i], VIEW_OCCLUSION))
             return VIEW_OCCLUSION;
@@ -190,10 +96,11 @@ static const char *truth_view(const App *app) {
 // Asks a feed for the request, if it does not know it.
 static void ask(App *app, FeedKind kind) {
     Request request = app->request;
+    begin(app, kind);
     if (!app->feeds[kind].running || app->asked[kind] == app->number)
         return;
     if (kind == FEED_TRUTH)
-        snprintf(request.view, sizeof request.view, "%s", truth_view(app));
+        snprintf(request.view, sizeof request.view, "%s", app_truth_view(app));
     feed_ask(&app->feeds[kind], &request, app->number);
     app->asked[kind] = app->number;
 }
@@ -201,7 +108,11 @@ static void ask(App *app, FeedKind kind) {
 // A new request, once all have answered the old one. False when there is nothing new to ask for.
 static bool renew_request(App *app, int width, int height) {
     Request request;
-    if (!view_state_request(&app->state, width, height, &request) || view_state_same(&request, &app->request))
+    if (app_recorded_shows(app))
+        request = app->recorded.frame.request;
+    else if (!view_state_request(&app->state, width, height, &request))
+        return false;
+    if (view_state_same(&request, &app->request))
         return false;
     app->request = request;
     app->number++;
@@ -218,7 +129,9 @@ static void ask_all(App *app) {
 // moves.
 static bool is_outdated(const App *app, bool done) {
     const ViewState *state = &app->state, *was = &app->shown;
-    bool same_pictures = state->show == was->show && state->against_truth == was->against_truth;
+    bool same_pictures = state->show == was->show && state->against_truth == was->against_truth &&
+                         state->volumes == was->volumes && state->light_shown == was->light_shown &&
+                         !app->new_frame;
     return same_pictures ? state->split != was->split : done;
 }
 
@@ -226,6 +139,41 @@ static void recompose(App *app) {
     app->shown = app->state;
     app->difference = compose(&app->composed, app->state.show, &app->pictures[FEED_MINE],
                               &app->pictures[app_other(app)], app->state.split);
+    if (counts_is_view(app->drawn.view) && app->state.show != SHOW_DIFFERENCE)
+        counts_recolor(&app->composed);
+    app->new_frame = false;
+}
+
+bool app_is_whole(const App *app) {
+    static const char *const names[FEED_COUNT] = {"mine", "the reference", "the truth"};
+    for (FeedKind kind = 0; kind < FEED_COUNT; kind++) {
+        const Image *picture = &app->pictures[kind];
+        const bool recorded = kind == FEED_REFERENCE && app_recorded_shows(app);
+        if (!needs(app, kind) || recorded)
+            continue;
+        if (!app->feeds[kind].running || app->news[kind].problem[0])
+            return check_fail("%s is not there: %s", names[kind],
+                              app->feeds[kind].running ? app->news[kind].problem : app->absent[kind]);
+        if (!picture->rgba || picture->width != app->composed.width ||
+            picture->height != app->composed.height)
+            return check_fail("%s is not there yet", names[kind]);
+    }
+    return app->composed.rgba || check_fail("there is no picture yet");
+}
+
+bool app_shows_scene(const App *app) {
+    const char *view = app->drawn.view;
+    const FrameFacts *facts = &app->news[FEED_MINE].facts;
+    if (app->composed.width != app->drawn.width || app->composed.height != app->drawn.height)
+        return false;
+    return strcmp(view, VIEW_PICTURE) == 0 || strcmp(view, VIEW_VISIBILITY) == 0 ||
+           (facts->stage_width == app->drawn.width && facts->stage_height == app->drawn.height);
+}
+
+// The reference is drawn for its time, and for the next key; the truth begins, for the same.
+static void prepare_others(App *app) {
+    ask(app, FEED_REFERENCE);
+    begin(app, FEED_TRUTH);
 }
 
 bool app_tick(App *app, int width, int height) {
@@ -235,14 +183,17 @@ bool app_tick(App *app, int width, int height) {
     look_at_feeds(app);
     if (app->state.running)
         app->state.time += fmin(step, LONGEST_STEP);
-    bool done = all_settled(app);
-    bool fresh = (done && take_pictures(app)) || is_outdated(app, done);
+    app_recorded_follow(app);
+    bool done = all_settled(app), taken = done && take_pictures(app);
+    if (done)
+        app->drawn = app->request;
+    bool fresh = taken || is_outdated(app, done);
     if (fresh)
         recompose(app);
     bool changed = done && renew_request(app, width, height);
     ask_all(app);
     if (done && !changed && !app->state.running)
-        ask(app, FEED_REFERENCE); // for its time, and for the next key
+        prepare_others(app);
     app->settled = done && !changed && all_settled(app) && app->number > 0;
     return fresh;
 }

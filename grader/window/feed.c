@@ -69,6 +69,7 @@ static void publish(Feed *feed, const Turn *turn, const Reply *reply) {
     news->answered = turn->number;
     news->turn = process_now() - turn->start;
     memcpy(news->milliseconds, reply->milliseconds, sizeof news->milliseconds);
+    news->facts = reply->facts;
     snprintf(news->warning, sizeof news->warning, "%s", reply->message);
     if (wrong)
         check_append(news->warning, sizeof news->warning, "%s%s", reply->message[0] ? "\n" : "", wrong);
@@ -208,7 +209,7 @@ static void *run(void *context) {
 bool feed_start(Feed *feed, const FeedSetup *setup) {
     memset(feed, 0, sizeof *feed);
     feed->setup = *setup;
-    feed->renew = true;
+    feed->renew = !setup->waits;
     feed->drawing = -1;
     if (setup->drawer.kind == FEED_TRUTH && !drawer_has_truth())
         return check_fail("no truth here: it needs Embree (common/setup --test), then make run again");

@@ -12,6 +12,7 @@
 
 typedef struct FeedSetup {
     DrawerSetup drawer;
+    bool waits;         // it builds once feed_renew is called, not at once
     void (*wake)(void); // called from the thread when there is news
 } FeedSetup;
 
@@ -28,6 +29,7 @@ typedef struct FeedNews {
     char problem[PROTOCOL_TEXT], warning[PROTOCOL_TEXT]; // "": none
     Description description;
     float milliseconds[LAB_MAX_PASSES]; // of the last picture
+    FrameFacts facts;                   // the same
     double turn;                        // seconds from request to picture
 } FeedNews;
 

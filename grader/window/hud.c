@@ -2,6 +2,7 @@
 #include "window/hud.h"
 
 #include "scene/check.h"
+#include "window/counts.h"
 #include "window/keys.h"
 #include "window/knob_step.h"
 #include "window/lines.h"
@@ -31,6 +32,37 @@ static void add_knob(const App *app, int i, Lines *lines) {
     lines_add(lines, selected ? accent : white, line);
 }
 
+// To what the truth sends its rays.
+static void tell_truth(const App *app, char *line, size_t size) {
+    const Scene *scene = &app->drawn.scene;
+    float extent = 0;
+    for (int i = 0; i < scene->light_count; i++)
+        extent = fmaxf(extent, scene->lights[i].extent);
+    if (scene->medium.scattering > 0)
+        check_append(line, size, "rays through the dust: what it sends to the eye");
+    else if (strcmp(app_truth_view(app), VIEW_OCCLUSION) == 0)
+        check_append(line, size, "rays to the sky: how much of it each point sees");
+    else if (extent > 0)
+        check_append(line, size, "rays to the lamp, a square of %.2g: how much of it each point sees",
+                     (double)(2 * extent));
+    else
+        check_append(line, size, "a ray to each light; they have no size, so edges are hard");
+}
+
+// What the view shows, and of a stage how large it is.
+static void add_caption(const App *app, Lines *lines) {
+    const FrameFacts *facts = &app->news[FEED_MINE].facts;
+    const char *caption = captions_find(&app->captions, app->state.view);
+    char line[LINES_LENGTH] = "";
+    if (view_state_needs_truth(&app->state))
+        tell_truth(app, line, sizeof line);
+    else
+        check_append(line, sizeof line, "%s", caption);
+    if (line[0] && facts->stage_width > 0 && facts->stage_height > 0 && !view_state_needs_truth(&app->state))
+        check_append(line, sizeof line, " (%d x %d)", facts->stage_width, facts->stage_height);
+    lines_add(lines, dim, line);
+}
+
 static void add_state(const App *app, Lines *lines) {
     char line[LINES_LENGTH] = "", what[LINES_LENGTH] = "";
     check_append(line, sizeof line, "%s  %s", app->rubric.id, app_title(app));
@@ -39,6 +71,7 @@ static void add_state(const App *app, Lines *lines) {
     line[0] = '\0';
     check_append(line, sizeof line, "%s: %s", show_name(&app->state), what);
     lines_add(lines, dim, line);
+    add_caption(app, lines);
     for (int i = 0; i < app->table.knob_count; i++)
         add_knob(app, i, lines);
 }
@@ -69,9 +102,13 @@ static void add_pixel(const App *app, const int cursor[2], Lines *lines) {
         if (cursor[0] < 0 || cursor[1] < 0 || cursor[0] >= image->width || cursor[1] >= image->height)
             continue;
         const uint8_t *at = image->rgba + image_at(image, cursor[0], cursor[1]);
+        const CountColor *count = counts_is_view(app->drawn.view) ? counts_find(at) : NULL;
         if (!line[0])
             check_append(line, sizeof line, "pixel %d, %d:", cursor[0], cursor[1]);
-        check_append(line, sizeof line, "  %s %d %d %d", names[kinds[i]], at[0], at[1], at[2]);
+        if (count)
+            check_append(line, sizeof line, "  %s counts %s", names[kinds[i]], count->name);
+        else
+            check_append(line, sizeof line, "  %s %d %d %d", names[kinds[i]], at[0], at[1], at[2]);
     }
     lines_add(lines, dim, line);
 }
@@ -138,12 +175,6 @@ static void put_help(Text *text, int width, int height) {
               (Color){12, 14, 18, 240});
 }
 
-static void put_split(Text *text, const App *app, int width, int height) {
-    float x = roundf(app->state.split * (float)width), half = roundf(text->advance / 6);
-    if (app->state.show == SHOW_SPLIT)
-        text_box(text, x - half, 0, 2 * half, (float)height, accent);
-}
-
 static int columns_of(const Text *text, int width) {
     return (int)((float)width / text->advance) - 2;
 }
@@ -154,7 +185,6 @@ void hud_put(Text *text, const App *app, int width, int height, const int cursor
     memset(&bottom, 0, sizeof bottom);
     memset(&problems, 0, sizeof problems);
     top.columns = bottom.columns = problems.columns = columns_of(text, width);
-    put_split(text, app, width, height);
     add_problems(app, &problems);
     if (app->state.text) {
         add_state(app, &top);

@@ -1,6 +1,7 @@
 // One small function a key, and the table that names them all.
 #include "window/keys.h"
 
+#include "scene/check.h"
 #include "scene/count.h"
 
 #define GLFW_INCLUDE_NONE
@@ -8,20 +9,29 @@
 
 #include <math.h>
 
-static const float TURN = 0.05F, ZOOM = 0.08F, DRAG = 3,
-                   SCROLL = 0.1F;    // radians, logarithms, radians a height
-static const double TIME_STEP = 0.1; // seconds
+static const float TURN = 0.05F, ZOOM = 0.08F; // radians, logarithms
+static const double TIME_STEP = 0.1;           // seconds
+
+// Can this be shown, if need be by going to where a reference was recorded? Else a notice says why not.
+static bool has(App *app, FeedKind kind) {
+    if (app->feeds[kind].running || kind == FEED_MINE)
+        return true;
+    if (kind == FEED_REFERENCE && app->recorded.seed_count > 0) {
+        if (app_recorded_enter(app))
+            return true;
+        app_notice(app, "%s", check_message());
+        return false;
+    }
+    app_notice(app, "%s", app->absent[kind]);
+    return false;
+}
 
 static void show(App *app, Show what) {
-    FeedKind kind = what == SHOW_TRUTH ? FEED_TRUTH : FEED_REFERENCE;
-    bool compares = what == SHOW_SPLIT || what == SHOW_DIFFERENCE;
-    if (compares && !app->feeds[FEED_REFERENCE].running && app->feeds[FEED_TRUTH].running)
-        app->state.against_truth = true; // a copy for students has only that
+    const bool compares = what == SHOW_SPLIT || what == SHOW_DIFFERENCE;
+    FeedKind kind = what == SHOW_MINE ? FEED_MINE : what == SHOW_TRUTH ? FEED_TRUTH : FEED_REFERENCE;
     if (compares && app->state.against_truth)
         kind = FEED_TRUTH;
-    if (what != SHOW_MINE && !app->feeds[kind].running)
-        app_notice(app, "%s", app->absent[kind]);
-    else
+    if (has(app, kind))
         app->state.show = what;
 }
 
@@ -48,10 +58,8 @@ static void show_truth(App *app, int sign) {
 static void change_rival(App *app, int sign) {
     (void)sign;
     FeedKind kind = app->state.against_truth ? FEED_REFERENCE : FEED_TRUTH;
-    if (!app->feeds[kind].running) {
-        app_notice(app, "%s", app->absent[kind]);
+    if (!has(app, kind))
         return;
-    }
     app->state.against_truth = kind == FEED_TRUTH;
     app_notice(app, "split and difference compare with the %s", kind == FEED_TRUTH ? "truth" : "reference");
 }
@@ -91,11 +99,16 @@ static void step_scene(App *app, int sign) {
 static void step_check(App *app, int sign) {
     if (app->rubric.check_count == 0)
         app_notice(app, "no checks here: the rubric is not handed out");
-    view_state_step_check(&app->state, &app->rubric, sign);
+    if (app_recorded_shows(app))
+        app_recorded_step(app, sign, 0);
+    else
+        view_state_step_check(&app->state, &app->rubric, sign);
 }
 
 static void step_seed(App *app, int sign) {
-    if (app->state.seed > 1 || sign > 0)
+    if (app_recorded_shows(app))
+        app_recorded_step(app, 0, sign);
+    else if (app->state.seed > 1 || sign > 0)
         app->state.seed += (uint64_t)(int64_t)sign;
 }
 
@@ -152,6 +165,16 @@ static void change_text(App *app, int sign) {
 static void change_loupe(App *app, int sign) {
     (void)sign;
     app->state.loupe = !app->state.loupe;
+}
+
+static void change_volumes(App *app, int sign) {
+    (void)sign;
+    app->state.volumes = !app->state.volumes;
+}
+
+static void change_light_shown(App *app, int sign) {
+    (void)sign;
+    app->state.light_shown = (app->state.light_shown + 1) % LIGHT_SHOWN_COUNT;
 }
 
 static void change_help(App *app, int sign) {
@@ -212,6 +235,8 @@ static const Action actions[] = {
     {GLFW_KEY_KP_ADD, -1, change_pixel, 1, false, NULL, NULL},
     {GLFW_KEY_MINUS, -1, change_pixel, -1, false, NULL, NULL},
     {GLFW_KEY_KP_SUBTRACT, -1, change_pixel, -1, false, NULL, NULL},
+    {GLFW_KEY_X, -1, change_volumes, 0, false, "X", "shadow volumes as haze: red looks to you, blue away"},
+    {GLFW_KEY_G, -1, change_light_shown, 0, false, "G", "what the light's map sees; again: its texels, too"},
     {GLFW_KEY_Z, -1, change_loupe, 0, false, "Z", "a magnifying glass at the mouse"},
     {GLFW_KEY_H, -1, change_text, 0, false, "H", "hide or show the text"},
     {GLFW_KEY_F5, -1, rebuild, 0, false, "F5", "build again (saving a file does it, too)"},
@@ -264,24 +289,4 @@ bool keys_help(int row, const char **keys, const char **meaning) {
     *keys = wishes[row].keys;
     *meaning = wishes[row].meaning;
     return true;
-}
-
-void keys_drag(App *app, int buttons, int modifiers, float dx, float dy) {
-    ViewState *state = &app->state;
-    if (buttons & 1 << GLFW_MOUSE_BUTTON_RIGHT) {
-        state->light.azimuth += DRAG * dx;
-        state->light.elevation -= DRAG * dy;
-    } else if (buttons & 1 << GLFW_MOUSE_BUTTON_MIDDLE || modifiers & GLFW_MOD_SHIFT) {
-        state->camera.right -= dx;
-        state->camera.up += dy;
-    } else {
-        state->camera.azimuth -= DRAG * dx;
-        state->camera.elevation += DRAG * dy;
-    }
-    view_state_limit(state);
-}
-
-void keys_scroll(App *app, float steps) {
-    app->state.camera.zoom -= SCROLL * steps;
-    view_state_limit(&app->state);
 }

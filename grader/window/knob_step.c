@@ -48,9 +48,13 @@ const char *knob_choice(const struct KnobText *knob, float value) {
 void knob_text(const struct KnobText *knob, float value, char *text, size_t size) {
     const char *choice = knob_choice(knob, value);
     text[0] = '\0';
-    if (choice[0])
-        check_append(text, size, "%g: %s", (double)value, choice);
-    else
-        check_append(text, size, "%.4g%s%s", (double)value, knob->unit[0] ? " " : "", knob->unit);
-    check_append(text, size, "  (%g..%g)", (double)knob->low, (double)knob->high);
+    if (!choice[0]) {
+        check_append(text, size, "%.4g%s%s  (%g..%g)", (double)value, knob->unit[0] ? " " : "", knob->unit,
+                     (double)knob->low, (double)knob->high);
+        return;
+    }
+    check_append(text, size, "%g: %s", (double)value, choice);
+    for (int i = 0; i < knob->choice_count; i++)
+        check_append(text, size, "%s%s", i ? ", " : "  (", knob->choices[i]);
+    check_append(text, size, ")");
 }

@@ -14,5 +14,5 @@ float knob_step(const struct KnobText *knob, float value, int direction, bool fi
 // The name of the choice nearest to the value; "" where it has none.
 const char *knob_choice(const struct KnobText *knob, float value);
 
-// "256 texels (16..2048)"; "4: faces (0..5)".
+// "256 texels  (16..2048)"; of a knob that chooses its words: "1: z-fail  (z-pass, z-fail)".
 void knob_text(const struct KnobText *knob, float value, char *text, size_t size);

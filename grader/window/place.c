@@ -13,3 +13,14 @@ Place place_picture(int width, int height, int window_width, int window_height, 
     place.y = (window_height - place.height) / 2;
     return place;
 }
+
+Place place_enlarged(int width, int height, int window_width, int window_height) {
+    const int across = window_width / width, down = window_height / height,
+              pixel = across < down ? across : down;
+    if (pixel < 1)
+        return place_picture(width, height, window_width, window_height, 1);
+    return (Place){.x = (window_width - width * pixel) / 2,
+                   .y = (window_height - height * pixel) / 2,
+                   .width = width * pixel,
+                   .height = height * pixel};
+}

@@ -48,16 +48,15 @@ static void draw_part(const Screen *screen, vec4s part, const Place *place, GLin
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void screen_draw(const Screen *screen, int window_width, int window_height, int pixel) {
+void screen_draw(const Screen *screen, int window_width, int window_height, const Place *place) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glViewport(0, 0, window_width, window_height);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     if (screen->width == 0)
         return;
-    Place place = place_picture(screen->width, screen->height, window_width, window_height, pixel);
-    bool whole = place.width % screen->width == 0 && place.height % screen->height == 0;
-    draw_part(screen, (vec4s){{0, 0, 1, 1}}, &place, whole ? GL_NEAREST : GL_LINEAR);
+    bool whole = place->width % screen->width == 0 && place->height % screen->height == 0;
+    draw_part(screen, (vec4s){{0, 0, 1, 1}}, place, whole ? GL_NEAREST : GL_LINEAR);
     glViewport(0, 0, window_width, window_height);
 }
 

@@ -20,8 +20,8 @@ void screen_destroy(Screen *screen); // accepts a zeroed screen
 // Takes another picture, of any size.
 void screen_upload(Screen *screen, const Image *picture);
 
-// Clears the window's framebuffer and draws the picture; unscaled ones bit for bit.
-void screen_draw(const Screen *screen, int window_width, int window_height, int pixel);
+// Clears the window's framebuffer and draws the picture there; unscaled ones bit for bit.
+void screen_draw(const Screen *screen, int window_width, int window_height, const Place *place);
 
 // Draws what lies around a pixel of the picture (columns from the left, rows from the top), enlarged: one
 // pixel of the picture is `side` pixels of the window, inside `place`.

@@ -17,6 +17,16 @@ static bool take_show(void *target, const char *text) {
     return check_fail("takes mine, reference, split, difference or truth, not \"%s\"", text);
 }
 
+static bool take_light(void *target, const char *text) {
+    static const char *const names[LIGHT_SHOWN_COUNT] = {"", "frustum", "texels"};
+    for (int i = 1; i < LIGHT_SHOWN_COUNT; i++)
+        if (strcmp(names[i], text) == 0) {
+            *(LightShown *)target = (LightShown)i;
+            return true;
+        }
+    return check_fail("takes frustum or texels, not \"%s\"", text);
+}
+
 #define AT(field) offsetof(AppOptions, field)
 static const Option options[] = {
     {"lab", 0, "NN", "the lab", AT(lab), option_lab_of_student},
@@ -29,6 +39,9 @@ static const Option options[] = {
     {"against-truth", 0, NULL, "split and difference compare with the truth", AT(against_truth), option_flag},
     {"knob", 0, "NAME=VALUE", "may be repeated", AT(request), request_take_knob},
     {"size", 0, "WxH", "of the window (default 800x600)", AT(request), request_take_size},
+    {"volumes", 0, NULL, "begin with shadow volumes as haze (key X)", AT(volumes), option_flag},
+    {"light", 0, "W", "begin with what the light's map sees: frustum or texels (key G)", AT(light_shown),
+     take_light},
     {"bare", 0, NULL, "begin without text (key H)", AT(bare), option_flag},
     {"timeout", 0, "S", "longest time of a frame of mine, in seconds (default 10)", AT(seconds),
      option_seconds},

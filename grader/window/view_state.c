@@ -67,6 +67,7 @@ static void move(const ViewState *state, Scene *scene) {
 bool view_state_request(const ViewState *state, int width, int height, Request *request) {
     memset(request, 0, sizeof *request);
     request->magic = PROTOCOL_MAGIC;
+    request->own_shape = 1;
     request->width = width < PROTOCOL_MAX_SIZE ? width : PROTOCOL_MAX_SIZE;
     request->height = height < PROTOCOL_MAX_SIZE ? height : PROTOCOL_MAX_SIZE;
     set_name(request->view, view_state_needs_truth(state) ? VIEW_VISIBILITY : state->view);

@@ -10,6 +10,8 @@
 
 enum { STATE_MAX_PIXEL = 16 };
 
+typedef enum LightShown { LIGHT_HIDDEN, LIGHT_FRUSTUM, LIGHT_TEXELS, LIGHT_SHOWN_COUNT } LightShown;
+
 typedef struct ViewState {
     Show show;
     bool against_truth; // SPLIT and DIFFERENCE: the truth, not the reference, is the other one
@@ -25,6 +27,8 @@ typedef struct ViewState {
     bool running;
     int pixel;              // side of a pixel of the picture in those of the window
     bool help, text, loupe; // shown
+    bool volumes;           // shown: the casters' shadow volumes, as haze
+    LightShown light_shown; // of the lights' maps
 } ViewState;
 
 // The lab as it is graded for the whole picture, when it has a rubric with such a check; else the first

@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "base/places.h"
 #include "window/hud.h"
+#include "window/marks.h"
 #include "scene/shader_source.h"
 
 #define GLFW_INCLUDE_NONE
@@ -54,6 +55,7 @@ bool window_open(Window *window, int width, int height) {
 void window_close(Window *window) {
     if (window->handle) {
         text_destroy(&window->text);
+        guides_destroy(&window->guides);
         screen_destroy(&window->screen);
         glfwDestroyWindow(window->handle);
     }
@@ -76,29 +78,60 @@ int window_pixel(const Window *window, int pixel) {
     return pixel * (int)fmaxf(1, roundf(window->scale));
 }
 
-// Where the picture lies.
-static Place place(const Window *window, int pixel) {
-    return place_picture(window->screen.width, window->screen.height, window->width, window->height,
-                         window_pixel(window, pixel));
+Place window_place(const Window *window, const App *app) {
+    const Screen *screen = &window->screen;
+    if (screen->width == 0)
+        return (Place){0};
+    if (app_recorded_shows(app))
+        return place_enlarged(screen->width, screen->height, window->width, window->height);
+    return place_picture(screen->width, screen->height, window->width, window->height,
+                         window_pixel(window, app->state.pixel));
 }
 
-void window_find(const Window *window, int pixel, double x, double y, int found[2]) {
-    int units_x, units_y;
+// From window units to pixels across.
+static double across(const Window *window, double x) {
+    int width, height;
+    glfwGetWindowSize(window->handle, &width, &height);
+    return x * window->width / fmax(width, 1);
+}
+
+float window_share(const Window *window, const App *app, double x) {
+    const Place at = window_place(window, app);
+    return (float)((across(window, x) - at.x) / fmax(at.width, 1));
+}
+
+void window_find(const Window *window, const App *app, double x, double y, int found[2]) {
     found[0] = found[1] = -1;
     if (window->screen.width == 0 || !glfwGetWindowAttrib(window->handle, GLFW_HOVERED))
         return;
-    glfwGetWindowSize(window->handle, &units_x, &units_y);
-    Place at = place(window, pixel);
-    double left = x * window->width / fmax(units_x, 1) - at.x;
-    double top = y * window->height / fmax(units_y, 1) - (window->height - at.y - at.height);
+    Place at = window_place(window, app);
+    double left = across(window, x) - at.x;
+    double top = across(window, y) - (window->height - at.y - at.height);
     found[0] = (int)floor(left * window->screen.width / fmax(at.width, 1));
     found[1] = (int)floor(top * window->screen.height / fmax(at.height, 1));
 }
 
+// The lab's map size, as its knob is set.
+static float map_size(const App *app) {
+    for (int i = 0; i < app->table.knob_count; i++)
+        if (strcmp(app->table.knobs[i].name, "map size") == 0)
+            return view_state_knob(&app->state, &app->table.knobs[i]);
+    return 0;
+}
+
+bool window_take(Window *window, App *app) {
+    const GuideWish wish = {app->state.volumes, app->state.light_shown, map_size(app)};
+    const bool wanted = wish.volumes || wish.light != LIGHT_HIDDEN;
+    if (wanted && app_shows_scene(app) && !guides_draw(&window->guides, &wish, &app->drawn, &app->composed))
+        return false;
+    screen_upload(&window->screen, &app->composed);
+    return true;
+}
+
 static void draw_loupe(Window *window, const App *app, const int cursor[2]) {
     enum { ENLARGED = 8, BORDER = 2 };
-    int pixel = app->state.pixel, side = window_pixel(window, pixel);
-    Place whole = place(window, pixel);
+    const Place whole = window_place(window, app);
+    const int side = (int)fmax(1, whole.width / fmax(window->screen.width, 1));
     int size = (window->width < window->height ? window->width : window->height) / 5 * 2;
     Place at = {.width = size, .height = size};
     at.x = whole.x + cursor[0] * side - size / 2;
@@ -111,7 +144,8 @@ static void draw_loupe(Window *window, const App *app, const int cursor[2]) {
 }
 
 static void draw_picture(const Window *window, const App *app) {
-    screen_draw(&window->screen, window->width, window->height, window_pixel(window, app->state.pixel));
+    const Place at = window_place(window, app);
+    screen_draw(&window->screen, window->width, window->height, &at);
 }
 
 void window_draw(Window *window, const App *app, const int cursor[2]) {
@@ -121,6 +155,8 @@ void window_draw(Window *window, const App *app, const int cursor[2]) {
     draw_picture(window, app);
     if (app->state.loupe && window->screen.width > 0 && cursor[0] >= 0)
         draw_loupe(window, app, cursor);
+    const Place at = window_place(window, app);
+    marks_put(&window->text, app, &at, window->width, window->height);
     hud_put(&window->text, app, window->width, window->height, cursor);
     text_draw(&window->text, window->width, window->height);
     glfwSwapBuffers(window->handle);
@@ -130,7 +166,7 @@ bool window_save(Window *window, const App *app, const char *path) {
     Image image = {0};
     if (window->screen.width == 0)
         return check_fail("there is no picture yet");
-    Place at = place(window, app->state.pixel);
+    Place at = window_place(window, app);
     draw_picture(window, app);
     bool ok = screen_read(&image, &at) && image_write_png(&image, path);
     image_destroy(&image);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "window/app.h"
+#include "window/guides.h"
 #include "window/screen.h"
 #include "window/text.h"
 
@@ -10,6 +11,7 @@ typedef struct GLFWwindow GLFWwindow;
 typedef struct Window {
     GLFWwindow *handle;
     Screen screen;
+    Guides guides;
     Text text;
     float scale;       // of the monitor's contents: 2 on a HiDPI one
     int width, height; // pixels
@@ -26,8 +28,17 @@ bool window_measure(Window *window);
 // The side of a pixel of the picture, in those of the window, for the state's `pixel`.
 int window_pixel(const Window *window, int pixel);
 
+// Where the picture lies, pixels; empty while there is none.
+Place window_place(const Window *window, const App *app);
+
 // The pixel of the picture at a place in window units.
-void window_find(const Window *window, int pixel, double x, double y, int found[2]);
+void window_find(const Window *window, const App *app, double x, double y, int found[2]);
+
+// How far across the picture a place in window units lies: 0 at its left side, 1 at its right.
+float window_share(const Window *window, const App *app, double x);
+
+// Shows another picture of the app, with the guides that its state asks for. False with a message.
+bool window_take(Window *window, App *app);
 
 // Draws the picture and what is written over it. `cursor` as in hud_put.
 void window_draw(Window *window, const App *app, const int cursor[2]);

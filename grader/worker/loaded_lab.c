@@ -227,7 +227,8 @@ static bool show_view(const LoadedLab *hosted, const StageView *view, const Requ
     for (int i = 0; i < LAB_MAX_STAGES && hosted->lab->stages[i].name; i++)
         if (strncmp(hosted->lab->stages[i].name, request->view, LAB_MAX_NAME) == 0) {
             stage_view_measure(*hosted->lab->stages[i].texture, facts);
-            stage_view_draw(view, &hosted->readback, *hosted->lab->stages[i].texture);
+            stage_view_draw(view, &hosted->readback, *hosted->lab->stages[i].texture,
+                            request->own_shape == 1);
             return read_pixels(&hosted->readback, pixels);
         }
     return check_fail("the lab has no stage \"%s\"; restore the table of stages", request->view);

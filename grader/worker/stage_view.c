@@ -3,6 +3,9 @@
 #include "draw.h"
 #include "gl_state.h"
 
+enum { MOST_STRETCHED = 8 };
+static const float GROUND = 40 / 255.0F;
+
 bool stage_view_create(StageView *view) {
     if (!program_create(&view->program, &(ProgramFiles){"fullscreen.vert", "texture.frag", NULL}))
         return false;
@@ -28,13 +31,30 @@ void stage_view_measure(GLuint texture, FrameFacts *facts) {
     glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &facts->stage_height);
 }
 
-void stage_view_draw(const StageView *view, const Target *target, GLuint texture) {
+// Lets the viewport have the texture's shape, on grey; one much longer than wide would hardly be seen in it.
+static void keep_shape(const Target *target, GLuint texture) {
+    FrameFacts size = {0};
+    stage_view_measure(texture, &size);
+    const long width = size.stage_width, height = size.stage_height;
+    if (width < 1 || height < 1 || width > MOST_STRETCHED * height || height > MOST_STRETCHED * width)
+        return;
+    const bool wide = width * target->height > height * target->width;
+    const int across = wide ? target->width : (int)(width * target->height / height),
+              down = wide ? (int)(height * target->width / width) : target->height;
+    glClearColor(GROUND, GROUND, GROUND, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glViewport((target->width - across) / 2, (target->height - down) / 2, across, down);
+}
+
+void stage_view_draw(const StageView *view, const Target *target, GLuint texture, bool own_shape) {
     gl_reset();
     target_bind(target);
     glClearColor(1, 0, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     if (!glIsTexture(texture))
         return;
+    if (own_shape)
+        keep_shape(target, texture);
     glDisable(GL_DEPTH_TEST);
     program_set_int(&view->program, "u_is_depth", is_depth(texture));
     program_set_texture(&view->program, "u_texture", 0, GL_TEXTURE_2D, texture);

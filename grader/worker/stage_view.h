@@ -19,4 +19,6 @@ bool stage_view_create(StageView *view);
 void stage_view_measure(GLuint texture, FrameFacts *facts);
 
 // Fills `target` with the texture: colour as it is, depth as grey. Magenta when there is no such 2D texture.
-void stage_view_draw(const StageView *view, const Target *target, GLuint texture);
+// With `own_shape` it keeps its shape, as large as there is room, on dark grey; unless that would be a
+// thread.
+void stage_view_draw(const StageView *view, const Target *target, GLuint texture, bool own_shape);

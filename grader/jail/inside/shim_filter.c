@@ -9,7 +9,8 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-// Memory, time, the process's own state, and files that can be seen. From version 26 on Mesa takes its memory
+// Memory, time, the process's own state, and files that can be seen; not uname, which tells whose machine it
+// is. From version 26 on Mesa takes its memory
 // by memfd_create and ftruncate: the limits on the size of a file and on descriptors hold for it.
 static const char *const always[] = {"access",
                                      "arch_prctl",
@@ -76,7 +77,6 @@ static const char *const always[] = {"access",
                                      "sysinfo",
                                      "time",
                                      "times",
-                                     "uname",
                                      "write",
                                      "writev"};
 

@@ -235,6 +235,39 @@ const models = {
             return m.march(any) - m.exact(any);
         }, 0.02);
     },
+    14(m) {
+        const one = { side: 1.2, first: [0, 2], second: [0, 1], two: 0, search: 3, point: [0, 0] };
+        all('14: one blocker at half height, its shadow ends at 0: 1/2 + x / S', 40, () => {
+            const x = between(-0.7, 0.7);
+            return m.truth(one, x) - Math.min(1, Math.max(0, 0.5 + x / 1.2));
+        });
+        all('14: one blocker, wherever it ends: the kernel is right', 60, () => {
+            const any = { ...one, side: between(0.2, 2), first: [between(-2, 2), between(0.3, 2.9)] }, x = between(-3, 3);
+            return m.filtered(any, x) - m.truth(any, x);
+        });
+        near('14: half a kernel at half of the height: S / 2', m.reach(1.2, 2), 0.6);
+        near('14: nothing is found far right', m.meanBlocker(one, 10), 0);
+        near('14: one plate everywhere', m.meanBlocker({ ...one, first: [9, 2] }, 0), 2);
+        // Shadows that both end at 0, 1.2 and 0.4 wide: (1.2 - 0.4) / 8 of light is false.
+        const two = { ...one, two: 1 }, step = 1e-3;
+        near('14: two blockers, the false light', times(1600, (i) => (m.filtered(two, (i - 799.5) * step) - m.truth(two, (i - 799.5) * step)) * step).reduce((a, b) => a + b), 0.1, 1e-4);
+    },
+    16(m) {
+        const state = { upper: [0, 3], lower: [5, 1], two: 0, width: 1, at: [0.25, 0], cut: 0 };
+        near('16: a quarter of the filter sees the plate', m.truth(state), 0.75);
+        all('16: one plate: the bound is the truth', 40, () => {
+            const any = { ...state, upper: [between(-0.6, 0.6), between(1.6, 3.6)], width: between(0.3, 2), at: [between(-0.2, 0.2), 0] };
+            return m.bound(any).light - m.truth(any);
+        });
+        // q = 1/4, a = 2, b = 1: 3/16 4 / (3/16 4 + 9/4) = 1/4, which is also a^2 / (a + 2 b)^2.
+        near('16: light under two plates', m.bound({ ...state, two: 1 }).light, 0.25);
+        near('16: the most of it', m.most({ ...state, two: 1 }), 0.25);
+        near('16: a cut at that leaves nothing', m.bound({ ...state, two: 1, cut: 0.25 }).left, 0);
+        all('16: no share bleeds more', 60, () => {
+            const any = { ...state, two: 1, upper: [between(-1, 1), between(1.6, 3.6)], lower: [5, between(0.2, 1.5)] };
+            return Math.max(0, m.bound(any).light - m.most(any));
+        });
+    },
 };
 
 // At any state, the extremes too, a figure has numbers and draws with them.

@@ -102,7 +102,7 @@ static void test_knob_texts(void **unused) {
     char text[300];
     struct KnobText knob = {.high = 2, .choices = {"plain", "posterised", "normal"}, .choice_count = 3};
     knob_text(&knob, 1, text, sizeof text);
-    assert_string_equal(text, "1: posterised  (0..2)");
+    assert_string_equal(text, "1: posterised  (plain, posterised, normal)");
     assert_string_equal(knob_choice(&knob, 3), ""); // a stranger's knob may go where nothing has a name
     assert_string_equal(knob_choice(&knob, -1), "");
     assert_string_equal(knob_choice(&knob, 1.6F), "normal");

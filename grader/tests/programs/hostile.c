@@ -79,20 +79,23 @@ static bool case_read(AttackCase *one, const char *file) {
 }
 
 static bool write_lab(const AttackCase *one) {
-    char path[FILES_PATH];
+    char path[FILES_PATH], host[256] = "";
+    gethostname(host, sizeof host - 1);
     char *head = read_part("head.part"), *tail = read_part("tail.part");
     files_join(path, one->client.folder, "lab.c");
     FILE *file = head && tail ? fopen(path, "w") : NULL;
     if (file) {
         fprintf(file,
-                "#define ROOT \"%s\"\n#define SECRET \"%s\"\n#define RESULT \"%s\"\n#define FOLDER \"%s\"\n"
+                "#define ROOT \"%s\"\n#define SECRET \"%s\"\n#define HOST \"%s\"\n#define RESULT "
+                "\"%s\"\n#define FOLDER \"%s\"\n"
                 "#define GRADER %ld\n#define OUTSIDE %d\n#define REPLY_BYTES %zu\n"
                 "#define ROOT_SOLUTION \"%s/solutions/03-shadow-map/lab.c\"\n"
                 "#define ROOT_RELATIVE \"../../../../../../../..%s/solutions/03-shadow-map/lab.c\"\n"
                 "#define QUOTED_SOLUTION \"\\\"%s/solutions/03-shadow-map/lab.c\\\"\"\n"
                 "%s#line 1 \"%s.c\"\n%s%s",
-                suite.root, suite.secret, suite.result, suite.folder, (long)getpid(), suite.jail == NULL,
-                sizeof(Reply), suite.root, suite.root, suite.root, head, one->name, one->text, tail);
+                suite.root, suite.secret, host, suite.result, suite.folder, (long)getpid(),
+                suite.jail == NULL, sizeof(Reply), suite.root, suite.root, suite.root, head, one->name,
+                one->text, tail);
         fclose(file);
     }
     free(head);

@@ -94,6 +94,7 @@ usage "a class and a submission" "there is no SUBMISSION" --class "$class" --out
 usage "a class outside the jail" "in the jail only" --class "$class" --output "$work/x" --trusted
 usage "no number of processes" "-j takes a number" --class "$class" --output "$work/x" -j many
 usage "-j alone" "go with --class" -j 2 labs
+usage "--dry-run alone" "go with --class" --dry-run labs
 
 # One submission at a time, as a job array would: the same records.
 mapfile -t names < <("$grade" --class "$class" --list)

@@ -87,4 +87,29 @@ loaded() { LIBGL_ALWAYS_SOFTWARE=1 LD_DEBUG=files "$BUILD/worker" "$1" - shaders
 SHADOW_LAB_CONTEXT=egl grades --lab 03 --seed 1 --format json labs
 [[ $(field 'r["context"]') == egl ]] && ok || bad "SHADOW_LAB_CONTEXT chooses the context"
 
+# On a machine without OSMesa each program that draws takes EGL by itself, and says so.
+osmesa=$(ldconfig -p 2>/dev/null | awk '/libOSMesa.so.8/ { print $NF; exit }')
+osmesa=${osmesa:-$(/sbin/ldconfig -p | awk '/libOSMesa.so.8/ { print $NF; exit }')}
+python3 -c 'import sys; open(sys.argv[1], "wb").write(open("/etc/ld.so.cache", "rb").read().replace(b"libOSMesa", b"libXSMesa"))' "$work/ld.so.cache"
+without=(bwrap --dev-bind / / --ro-bind "$work/ld.so.cache" /etc/ld.so.cache ${osmesa:+--ro-bind /dev/null "$(realpath "$osmesa")"})
+if ! "${without[@]}" true 2>/dev/null; then
+    skip "no machine without OSMesa can be made up here"
+else
+    draws() { # NAME COMMAND...
+        local name=$1
+        status=0 out=$("${without[@]}" "$root/$BUILD/$1" "${@:2}" 2>&1) || status=$?
+        expect "$name without OSMesa" 0 "$name: there is no OSMesa here: EGL draws"
+    }
+    draws frame --lab 03 --scene "table spot" "$work/first.png"
+    draws record_exams --lab 03 "$work/recorded" 1
+    draws sweep --lab 03 --scene edges --over "map size" --size 64x48 "$work/swept" 64
+    draws mutants --lab 03 --only "nothing has this name"
+    draws scene_table --lab 03
+    cmp -s "$work/first.png" <("$BUILD/frame" --lab 03 --scene "table spot" /dev/stdout) && ok || bad "another picture without OSMesa"
+    status=0 out=$("${without[@]}" env SHADOW_LAB_CONTEXT=osmesa "$root/$BUILD/record_exams" --lab 03 "$work/recorded" 1 2>&1) || status=$?
+    expect "who asks for OSMesa gets no other" 3 "OSMesa is not installed"
+    status=0 out=$("${without[@]}" "$grade" --compare "$work" "$work" 2>&1) || status=$?
+    [[ $out != *"EGL draws"* ]] && ok || bad "who draws nothing says nothing of contexts" "$out"
+fi
+
 finish

@@ -38,6 +38,47 @@ grep -q '4 submissions, 4 graded, 0 not graded, 1 students handed in nothing' "$
 gather
 expect "OUT keeps the list" 0 "1 of 4 handed in nothing"
 
+# A dry run looks at the class and at the run, and changes nothing.
+state() { find "$output" "$class" -type f -exec md5sum {} + | sort; }
+dry() { grades --class "$class" "$@" --dry-run; }
+was=$(state)
+dry --output "$output" --resume --lab 03
+expect "a dry run of what is graded" 1 "Ann Lee (00101): Ann Lee_101_assignsubmission_file_" "was graded, 100.00 points: stays" "lab 03: 03-shadow-map: lab.c, shadow.frag" \
+    "! not on the roster" "handed in nothing: =Cmd()" "4 hand-ins: 0 to be graded, 0 graded again, 4 stay; 1 need a look (!); 1 of 4 on the list handed in nothing."
+printf '{"due": {"03": "2026-11-02 10:00"}, "percent a day": 10}' >"$work/dry.json"
+echo '// more' >>"$class/guest/03-shadow-map/lab.c"
+dry --output "$output" --resume --due "$work/dry.json"
+expect "a dry run of what changed" 1 "lab 03: 03-shadow-map (4 days late): lab.c, shadow.frag" "was graded, 0.00 points: again, with another submission" \
+    "handed in $(date -d '2026-11-05 12:00' '+%Y-%m-%d %H:%M:%S %z'), by the files' times, which a student can set" "0 to be graded, 1 graded again, 3 stay"
+sed -i '$d' "$class/guest/03-shadow-map/lab.c" && touch -d '2026-11-05 12:00' "$class/guest/03-shadow-map/lab.c"
+[[ $(state) == "$was" ]] && ok || bad "a dry run writes" "$(diff <(state) <(echo "$was"))"
+dry --output "$output"
+expect "a dry run says what the run would" 3 "holds a class run already"
+dry --lab 03
+expect "a dry run without an output" 0 "4 hand-ins: 4 to be graded; 0 need a look (!). Nothing was graded or written."
+dry --lab 04 --only guest
+expect "a lab that nobody handed in" 1 "1 hand-ins" "! not handed in: there is no folder 04-acne-and-bias"
+dry --lab 03 --only nobody
+expect "a dry run of nobody" 3 'holds no submission "nobody"'
+dry --lab 03 --output "$work/never" --roster "$work/roster.csv"
+[[ $status == 1 && ! -e $work/never && $out == *"1 of 4 on the list handed in nothing"* ]] && ok || bad "a dry run makes the output" "$out"
+for with in --gather --list --copies "--export canvas" "--anonymous $work/x"; do
+    dry --output "$output" $with
+    expect "a dry run and $with" 2 "--dry-run writes nothing"
+done
+odd=$work/odd
+mkdir -p "$odd"/$'new\nline\e[31m' "$odd/deep/a/b/c/d/e/f/g/h/i/j/k/l/m/03-shadow-map" "$odd/empty" "$odd/named/03-shadow-map" "$odd/two/03-shadow-map" "$odd/two/copy/03-shadow-map"
+mkfifo "$odd/pipe" "$odd/two/03-shadow-map/pipe" && ln -s /nowhere "$odd/dead" && ln -s /etc "$odd/link" && echo "no archive" >"$odd/bad.zip" && : >"$odd/empty.tar"
+for to in $'new\nline\e[31m' deep/a/b/c/d/e/f/g/h/i/j/k/l/m/03-shadow-map two/03-shadow-map two/copy/03-shadow-map; do cp labs/03-shadow-map/{lab.c,shadow.frag} "$odd/$to"; done
+ln "$odd/two/03-shadow-map/lab.c" "$odd/two/03-shadow-map/same.c"
+grades --class "$odd" --lab 03 --dry-run
+expect "odd hand-ins, looked at" 1 'new\x0aline\x1b[31m: new\x0aline\x1b[31m' "more than 12 folders deep nothing was looked for" "empty: empty" "! lab.c" "lab 03 is there twice" \
+    "lab.c is a hard link to another file" "ignored: pipe (not a file of this lab)" "ignored: pipe: is neither" "ignored: dead: is neither" "! the archive" "ignored: link: is neither"
+LC_ALL=C grep -q $'[\x1b]' <<<"$out" && bad "bytes of a name reach the terminal" || ok
+mkdir "$work/nobody-here"
+grades --class "$work/nobody-here" --lab 03 --dry-run
+expect "an empty class" 3 "holds no folder and no archive"
+
 # The log, and what is graded again: what changed, and only that.
 grep -qE '^[0-9-]+ [0-9:]+ Ann Lee_101_assignsubmission_file_: 100.00 of 100$' "$output/log" && ok || bad "the log" "$(cat "$output/log")"
 again() { grades --class "$class" --output "$output" --resume; }
@@ -90,7 +131,11 @@ rm "$output/overrides.csv"
 # Lateness: three days after the date and two hours, of them one free.
 late() { printf '{"due": {"03": "2026-11-02 10:00"}, "percent a day": 10%s}' "$1" >"$work/late.json"; gather --due "$work/late.json"; }
 late ', "free days": 1'
-is "late days" "$(row "Ann Lee" "lab 03" "lab 03 measured" note)" "1|70.00|100.00|lab 03: 4 days late, 1 of them free: 30.00 points off"
+is "late days" "$(row "Ann Lee" "lab 03" "lab 03 measured" note)" "1|70.00|100.00|lab 03: 4 days late by the files' times, 1 of them free: 30.00 points off"
+expect "whose times are trusted" 0 "due: of 4 only the files' times tell when they were handed in"
+is "each row says it" "$(row "Ann Lee" "handed in" "time by")" "1|$(date -d '2026-11-05 12:00' '+%Y-%m-%d %H:%M:%S %z')|files"
+is "who handed in nothing has no time" "$(row 104 "handed in" "time by")" "1||"
+grep -q "When 4 of them were handed in is known by the files' times only" "$output/index.html" && ok || bad "the page says it"
 late ', "at most percent": 25'
 is "at most" "$(row "Ann Lee" "lab 03")" "1|75.00"
 late ', "grace minutes": 120'
@@ -98,12 +143,17 @@ is "grace" "$(row "Ann Lee" "lab 03")" "1|70.00"
 printf 'student,lab,late,note\n101,03,0,ill\n' >"$work/overrides.csv"
 gather --overrides "$work/overrides.csv"
 is "days by hand" "$(row "Ann Lee" "lab 03")" "1|100.00"
+printf 'student,lab,late,note\n101,03,2,ill\n' >"$work/overrides.csv"
+gather --overrides "$work/overrides.csv"
+is "days by hand are by no clock" "$(row "Ann Lee" note)" "1|lab 03: 2 days late, 0 of them free: 20.00 points off"
 rm "$output"/{overrides.csv,due.json}
 sed 's/^\(Surname.*\)/\1;Last modified (submission)/; s/ann@.*/&;"Monday, 2 November 2026, 9:59 AM"/; s/zoe@.*/&;2026-11-02 10:00:01/; s/bo@.*/&;-/' "$work/roster.csv" >"$work/times.csv"
 late ''
 gather --roster "$work/times.csv"
 is "the list's time counts: in time" "$(row "Ann Lee" "lab 03")" "1|100.00"
 is "the list's time counts: a second late" "$(row zoe@example.org "lab 03")" "1|90.00"
+is "by the list" "$(row "Ann Lee" "time by")" "1|list"
+expect "of whom the list says nothing" 0 "due: of 2 only the files' times"
 rm "$output/due.json"
 
 # What learning systems import, field by field, and a page a student named by id.
@@ -195,7 +245,20 @@ PYTHON
 grades --class "$work/pairs" --output "$work/pairs-out" --lab 03 --only empty --copies
 expect "copies" 0 "1 pairs of hand-ins have code in common"
 is "the pair" "$(cat "$work/pairs-out/copies.csv")" 'lab,percent,equal,first,second
-03,100,equal,"one","two"'
+03,100,all but names,"one","two"'
+copies() { grades --class "$work/pairs" --output "$work/pairs-out" --gather --copies; }
+grep -q 'Code in common' "$work/pairs-out/index.html" && grep -qE '<td>03</td><td class="number">100</td><td>all but names</td><td class="name">one</td>' "$work/pairs-out/index.html" && ok ||
+    bad "the page shows the pair" "$(grep -A12 'Code in common' "$work/pairs-out/index.html")"
+cp -r "$work/pairs/one" "$work/pairs/wrong name" && sed -i 's/\<frame\>/frames/' "$work/pairs/wrong name/03-shadow-map/lab.c"
+cp -r "$work/pairs/one" "$work/pairs/<b>&same" && sed -i 's/$/ \/\/ mine/' "$work/pairs/<b>&same/03-shadow-map/lab.c"
+copies
+is "word for word comes before all but names" "$(sed -n '2p' "$work/pairs-out/copies.csv")" '03,100,every word,"<b>&same","one"'
+(($(grep -c 'all but names' "$work/pairs-out/copies.csv") >= 3)) && ok || bad "a wrong name" "$(cat "$work/pairs-out/copies.csv")"
+grep -q '<td class="name">&lt;b&gt;&amp;same</td>' "$work/pairs-out/index.html" && ! grep -q '<b>&same' "$work/pairs-out/index.html" && ok || bad "names of pairs are escaped"
+grades --class "$work/pairs" --output "$work/pairs-out" --gather
+grep -q 'Code in common' "$work/pairs-out/index.html" && bad "pairs of an earlier run are not shown as today's" || ok
+grades --class "$work/pairs" --output "$work/pairs-out" --gather --copies --anonymous "$work/pairs-secret.csv"
+grep -q 'Code in common' "$work/pairs-out/anonymous/index.html" && bad "pairs on the anonymous page" || ok
 
 # Two outputs side by side.
 cp -r "$output" "$work/newer"

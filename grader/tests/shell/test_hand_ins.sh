@@ -4,7 +4,44 @@ set -u
 source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
 
+chmod 755 "$work" # the jail's user goes through it
 grader/tests/helpers/make_hand_ins "$work/class" >"$work/expected" || bad "make_hand_ins"
+
+# A dry run finds the same in each, says what keeps it from being graded, and writes nothing.
+listing() { { find "$work/class" -printf '%p %s %T@ %m\n'; find "$work/tmp" -mindepth 1; } | sort | md5sum; }
+mkdir "$work/tmp" && chmod 755 "$work/tmp"
+before=$(listing)
+status=0
+TMPDIR=$work/tmp "$grade" --class "$work/class" --lab 03 --dry-run --output "$work/class/out" >"$work/looked" 2>"$work/errors" || status=$?
+out=$(tail -1 "$work/looked"; cat "$work/errors")
+expect "a dry run" 1 "need a look (!)" "Nothing was graded or written."
+[[ $(listing) == "$before" ]] && ok || bad "a dry run writes" "$(ls -R "$work/tmp")"
+python3 - "$work" <<'PYTHON' >"$work/verdicts"
+import pathlib, re, sys
+work = pathlib.Path(sys.argv[1])
+text = (work / "looked").read_text(encoding="utf-8")
+blocks = {}
+for block in re.split(r"\n(?=\S)", text):
+    head, _, rest = block.partition("\n")
+    blocks[head] = rest
+for line in open(work / "expected", encoding="utf-8"):
+    name, student, id, points, words = line.rstrip("\n").split("\t")
+    if points == "-":
+        print("ok" if any(head.startswith(f"ignored: {name}: ") and re.search(words, head) for head in blocks) else f"dry run: {name} is not ignored")
+        continue
+    rest = blocks.get(f"{student} ({id}): {name}" if id else f"{student}: {name}")
+    if rest is None:
+        print(f"dry run: {name}: no {student}, {id}")
+        continue
+    good = "    lab 03: " in rest and not re.search("^ +! (?!lab 03 is there twice)", rest, re.M)
+    if words not in rest or (not good if points == "100" else good and words):
+        print(f"dry run: {name}: {points} points, wanted {words!r}: {rest}")
+    else:
+        print("ok")
+PYTHON
+while read -r line; do
+    [[ $line == ok ]] && ok || bad "$line"
+done <"$work/verdicts"
 mkdir "$work/class/out"
 grades --class "$work/class" --lab 03 --seed 5 --output "$work/class/out"
 expect "the class" 0 "0 not graded" '"out" is the output of the class run'

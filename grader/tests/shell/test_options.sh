@@ -97,7 +97,9 @@ refuses "an empty operand" '"" is no SUBMISSION' "$bin/grade" ""
 refuses "no operand" "OUTPUT is missing" "$bin/skeletons"
 refuses "no task" "TASK is a task like 3.2" "$bin/skeletons" made 3x
 refuses "no seed" "SEED is a whole number" "$bin/record_exams" made 1 0x2
-refuses "a context of the environment" "SHADOW_LAB_CONTEXT is osmesa or egl" env SHADOW_LAB_CONTEXT=glx "$bin/grade" "$root/labs"
+for command in "grade ." mutants "record_exams made 1" scene_table prove chart stability "bench_frames 03"; do
+    refuses "a context of the environment: $command" "SHADOW_LAB_CONTEXT is osmesa or egl" env SHADOW_LAB_CONTEXT=glx "$bin/"$command
+done
 refuses "help that is no option's value" "--output needs a value: DIR" "$bin/grade" --output --help
 status=0
 "$bin/grade" --help >/dev/full 2>"$work/err" || status=$?

@@ -3,52 +3,8 @@
 # files show at once, and neither errors nor loops nor crashes of a lab take it down.
 set -u
 source "$(dirname "$0")/../helpers/lib.sh"
-view=$root/$BUILD/view frame=$root/$BUILD/frame
 scene="table spot" size=240x180
-patience=${QUICK:+6} patience=$((150 * ${patience:-1})) # tenths of a second; sanitizers are slow
-export TMPDIR=$work/tmp && mkdir "$TMPDIR"
-export ASAN_OPTIONS=detect_leaks=0 # of the X11 and GL libraries; the worker has none either
-
-mkfifo "$work/display"
-Xvfb -displayfd 3 -screen 0 1024x768x24 -noreset -nolisten tcp 3>"$work/display" 2>/dev/null &
-xvfb=$!
-trap 'kill $xvfb; rm -rf "$work"' EXIT
-read -r number <"$work/display"
-export DISPLAY=:$number
-
-# wait_for NAME COMMAND...: the command succeeds in time.
-wait_for() {
-    local name=$1 i
-    shift
-    for ((i = 0; i < patience; i++)); do
-        "$@" && ok && return
-        sleep 0.1
-    done
-    bad "$name" "$(cat "$work/log"; xdotool getwindowname "$window")"
-}
-open_window() { # ARGUMENTS...
-    "$view" --lab 03 --scene "$scene" --size $size --bare "$@" >"$work/log" 2>&1 &
-    pid=$!
-    local i
-    for ((i = 0; i < patience; i++)); do
-        window=$(xdotool search --onlyvisible --pid $pid 2>/dev/null | tail -1)
-        [[ -n $window ]] && return
-        sleep 0.1
-    done
-    bad "a window opens" "$(cat "$work/log")"
-}
-close_window() {
-    kill $pid
-    wait $pid
-}
-headless() { "$frame" --lab 03 --scene "$scene" --size $size "$@" "$work/wanted.png"; }
-same() { [[ $(compare -metric AE "$1" "$2" null: 2>&1) == 0 ]]; }
-picture() { [[ -n $window ]] && import -window "$window" "$work/now.png"; } # without a name import would wait for a click
-shows() { picture && same "$work/now.png" "$work/wanted.png"; }
-keeps() { picture && ! same "$work/now.png" "$work/wanted.png"; }
-titled() { [[ $(xdotool getwindowname "$window") == *"$1"* ]]; }
-told() { grep -qF -- "$1" "$work/log"; }
-keys() { xdotool key --window "$window" "$@"; }
+source "$(dirname "$0")/../helpers/display.sh"
 
 status=0 out=$("$view" 2>&1) || status=$?
 expect "no lab" 2 "make run LAB=05" "usage: build/view"
@@ -60,7 +16,7 @@ expect "no display" 1 "view: the window:"
 # Screenshots, without any scaling between worker and screen.
 headless --skeleton
 "$view" --lab 3 --scene "$scene" --size $size --screenshot "$work/shot.png" >/dev/null && same "$work/shot.png" "$work/wanted.png" && ok || bad "mine is the skeleton's picture"
-headless --view "shadow map" --knob "map size=128"
+fitted --view "shadow map" --knob "map size=128"
 "$view" --lab 03 --scene "$scene" --size $size --show reference --view "shadow map" --knob "map size=128" --screenshot "$work/shot.png" >/dev/null &&
     same "$work/shot.png" "$work/wanted.png" && ok || bad "the reference's shadow map"
 if [[ -x $root/$BUILD/truth_worker ]]; then
@@ -85,7 +41,7 @@ keys BackSpace n
 headless --seed 2
 wait_for "backspace and n: the default, another variant" shows
 keys v v
-headless --seed 2 --view "shadow map"
+fitted --seed 2 --view "shadow map"
 wait_for "v v: the shadow map" shows
 keys shift+v shift+v shift+n 3
 headless && cp "$work/wanted.png" "$work/solution.png" && headless --skeleton
@@ -152,6 +108,7 @@ in_map 'for (;;) {}'
 sleep 0.5 && keys 2
 wait_for "keys work while a lab loops" titled "reference"
 wait_for "a loop is stopped" told "it was stopped after $timeout s"
+told "it was stopped after $timeout s in shadow map (lab.c:" && ok || bad "a loop is told with its pass and its line" "$(cat "$work/log")"
 keys 1 && restore
 wait_for "after the loop" shows
 close_window && ok || bad "the window ends with status $?"
@@ -170,7 +127,50 @@ headless --skeleton
 open_window
 wait_for "the kit shows the skeleton" shows
 keys 2
-sleep 0.5
-titled "mine" && ok || bad "no reference in the kit" "$(xdotool getwindowname "$window")"
+wait_for "2 shows a reference that is recorded" titled "reference: "
+strip=$(ls "$work"/kit/grader/recorded/03-*/exam-1-*.png | tail -1)
+recorded() { # the first frame of the strip, enlarged by whole pixels, stands in the middle of the window
+    picture || return 1
+    python3 - "$work/now.png" "$strip" <<'PYTHON'
+import subprocess, sys
+def pixels(path):
+    width, height = map(int, subprocess.check_output(["identify", "-format", "%w %h", path], text=True).split())
+    return width, height, subprocess.check_output(["convert", path, "-depth", "8", "rgb:-"])
+w, h, window = pixels(sys.argv[1])
+fw, fh, strip = pixels(sys.argv[2])
+row = strip[:3 * fw]  # of the first frame, which is the reference
+rows = {window[3 * (y * w + x):3 * (y * w + x + fw)] for y in range(h) for x in range(max(w - fw + 1, 0))}
+sys.exit(row not in rows)
+PYTHON
+}
+wait_for "bit for bit" recorded
+keys a
+wait_for "a turned camera has no reference" titled "mine: "
+keys 4
+wait_for "4 goes back" titled "difference to the reference"
+keys n
+wait_for "n: the next variant" titled "seed 1"
+keys 5
+sleep 0.3
+titled "difference" && ok || bad "no truth in this kit" "$(xdotool getwindowname "$window")"
 close_window
+shot() { status=0; out=$("$view" --lab 03 --size $size "$@" --screenshot "$work/new.png" 2>&1) || status=$?; }
+colors() { convert "$work/new.png" -format '%[fx:maxima.r-minima.r > 0 && abs(mean.r-mean.b) > 0.002 ? 1 : 0]' info:; }
+solved handed >/dev/null && rm "$work"/handed/03-*/*.json
+shot --show difference --submission "$work/handed"
+expect "the difference of a solution" 0 "saved as"
+[[ $(colors) == 0 ]] && ok || bad "a solution equals the recorded reference"
+shot --show difference
+[[ $status == 0 && $(colors) == 1 ]] && ok || bad "a skeleton does not" "$out"
+rm -f "$work/new.png"
+shot --show truth
+expect "no truth: no picture" 1 "not saved: the truth is not there: no truth here: it needs Embree"
+shot --show split --against-truth
+expect "nor half of one" 1 "not saved: the truth is not there"
+shot --show reference --seed 77
+expect "a seed that is not recorded" 1 "no reference is recorded for this scene, view, seed and knobs"
+[[ ! -e $work/new.png ]] && ok || bad "a picture was written all the same"
+rm "$work"/kit/grader/recorded/03-*/exam-1-*.png
+shot --show reference
+expect "recorded frames that are gone" 1 "grader/recorded/03-shadow-map/exam-1-" "cannot read the picture"
 finish

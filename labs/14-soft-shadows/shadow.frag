@@ -1,0 +1,28 @@
+#version 410 core
+// The scene with the shadow of light 0, which is a square lamp.
+
+#include "lighting.glsl"
+#include "pcss.glsl"
+
+in vec3 v_position_world;
+in vec3 v_normal_world;
+
+out vec4 o_color;
+
+// The share of light 0 that reaches the point.
+float visibility(vec3 position_world) {
+    vec3 position_map;
+    float outside, side = u_fixed_side;
+    if (!find_in_shadow_map(position_world, position_map, outside))
+        return outside;
+        // TODO(14.5): unless u_fixed, the side is that of the kernel for the mean blocker; where there is
+        // none, the point is lit.
+        // TODO(14.6): a kernel narrower than a texel shows the texel's corners: take no side less than that
+        // of one texel.
+    return filter_map(position_map, side);
+}
+
+void main() {
+    float lit = visibility(v_position_world);
+    o_color = vec4(phong_ambient() + lit * phong_diffuse_specular(0, v_position_world, v_normal_world), 1.0);
+}

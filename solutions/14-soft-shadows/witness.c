@@ -1,0 +1,96 @@
+// Lab 14's penumbrae against closed forms (they stand at each test). A lamp straight before a wall, plates
+// parallel to it.
+#include "tests/helpers/witness.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+
+#include <cmocka.h>
+
+enum { SIZE = 320, LAMP_AT = 8, LAMP_ASIDE = 5, MAP = 2048 };
+static const double extent = 0.5, field = 84; // of the lamp: half its side, and its map's angle in degrees
+
+static Scene lamp_and_wall(void) {
+    Scene scene = closed_wall(6, 10, 2 * atanf(3.2F / 20));
+    closed_light(&scene, LIGHT_SPOT, vec3_make(-LAMP_ASIDE, 0, LAMP_AT), vec3_make(-LAMP_ASIDE, 0, 0),
+                 glm_rad((float)field), 0, 2, 12);
+    scene.lights[0].extent = (float)extent;
+    return scene;
+}
+
+static double tangent(void) {
+    return tan(closed_radians(field) / 2);
+}
+
+static Image draw(const Scene *scene, const char *view, int filter_taps) {
+    const WitnessKnob knobs[] = {{"map size", MAP}, {"filter taps", (float)filter_taps}, {"search taps", 16}};
+    return witness_draw(LAB_ID, scene, view, SIZE, SIZE, knobs, 3);
+}
+
+// A plate at the height h, left of the ray from the lamp to the wall's x = 0: its shadow ends there. So far
+// aside, it does not hide that place from the eye.
+static void add_plate(Scene *scene, double h) {
+    closed_add(scene, SHAPE_BOX, vec3_make((float)(-h * LAMP_ASIDE / LAMP_AT) - 1, 0, (float)h),
+               vec3_make(1, 2, 1e-4F), 0);
+}
+
+static double width_of(double h) {
+    return 2 * extent * h / (LAMP_AT - h);
+}
+
+// Light falls as 1/2 + x / w, with w = S h / (H - h). n taps make steps at most 1 / (2 n) from that, each
+// edge is moved by a texel at most, and 8 bits round.
+static void test_ramp(void **unused) {
+    (void)unused;
+    for (int i = 1; i <= 5; i++) {
+        double h = 0.6 * i, worst = 0, texel = 2 * LAMP_AT * tangent() / MAP;
+        const int taps = 16;
+        Scene scene = lamp_and_wall();
+        add_plate(&scene, h);
+        Image image = draw(&scene, "visibility", taps);
+        double unit = closed_unit(&scene, SIZE);
+        int inside = 0;
+        for (int column = 0; column < SIZE; column++) {
+            double t = (column + 0.5 - SIZE / 2.0) * unit / width_of(h) + 0.5;
+            if (t < 0 || t > 2)
+                continue;
+            worst = fmax(worst, fabs(image.rgba[image_at(&image, column, SIZE / 2)] / 255.0 - fmin(t, 1)));
+            inside += t < 1;
+        }
+        print_message("h = %.1f: %d pixels of penumbra, at most %.4f off\n", h, inside, worst);
+        assert_true(inside > 5 && worst <= 1.0 / (2 * taps) + texel / width_of(h) + 0.6 / 255);
+        image_destroy(&image);
+    }
+}
+
+// What a stage shows at a place of the wall, against what is expected in [0, 1].
+static void check_stage(const Scene *scene, const char *stage, double x, double expected) {
+    Image image = draw(scene, stage, 4);
+    int column = SIZE / 2 + (int)floor(x / closed_unit(scene, SIZE));
+    int shown = image.rgba[image_at(&image, column, SIZE / 2)];
+    print_message("%s: %d, expected %.1f\n", stage, shown, 255 * expected);
+    assert_true(fabs(shown - 255 * fmin(expected, 1)) <= 0.6);
+    image_destroy(&image);
+}
+
+// In the umbra of a plate at the height h: what the map holds is b = H - h away, and so is the mean blocker.
+// The search begins at the sphere around the plate, b0 = b - sqrt(5), but not before the near plane; its
+// kernel is S (H - b0) / (2 H b0 tan), and the stage shows six times that.
+static void test_stages(void **unused) {
+    (void)unused;
+    for (int i = 1; i <= 4; i++) {
+        double h = 0.7 * i, b = LAMP_AT - h, x = -width_of(h) / 2 - 0.08;
+        Scene scene = lamp_and_wall();
+        add_plate(&scene, h);
+        double far = (double)scene.lights[0].far_plane, b0 = fmax(b - sqrt(5), 2);
+        check_stage(&scene, "distances", x, b / far);
+        check_stage(&scene, "blockers", x, b / far);
+        check_stage(&scene, "kernels", x, 6 * 2 * extent * (LAMP_AT - b0) / LAMP_AT / (2 * b0 * tangent()));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ramp), cmocka_unit_test(test_stages)};
+    return cmocka_run_group_tests_name("witness " LAB_ID, tests, NULL, NULL);
+}
