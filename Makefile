@@ -31,6 +31,9 @@ watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress:
 answer: $(BUILD)/watch ## of a lab that is done: its idea, the answer to its question, what to try: make answer LAB=03
 	@$(if $(LAB),,echo "which lab? make answer LAB=03" >&2; exit 2;) $(BUILD)/watch $(LAB_OPTION) --answer || [ $$? = 1 ]
 
+predictions: $(BUILD)/watch ## the numbers to work out before a lab runs, your own ones: make predictions LAB=03
+	@$(if $(LAB),,echo "which lab? make predictions LAB=03" >&2; exit 2;) $(BUILD)/watch $(LAB_OPTION) --predict $(SUBMISSION)
+
 progress: $(BUILD)/watch ## how far am I in all labs?
 	@$(BUILD)/watch --list
 
@@ -107,10 +110,11 @@ bench: build $(BUILD)/bench_truth ### where the time goes: grading one lab, and 
 bench-class: build ### labs a minute of a class run, cold and known shaders, and how it grows: ARGS="--labs 05 --counts 50,800"
 	@$(SCRIPTS)/bench_class $(BUILD) $(ARGS)
 
+# A kit has no study of its own, but points that were recorded of it.
 HAS_STUDY := $(wildcard grader/study)
-study: $(if $(HAS_STUDY),build $(BUILD)/chart) ### chart speed against error: make study [LAB=05 [SUBMISSION=labs]] [ARGS=--quick]
+study: build $(if $(HAS_STUDY),$(BUILD)/chart) ## chart speed against error: make study LAB=05 SUBMISSION=labs
 	$(if $(HAS_STUDY),$(BUILD)/chart $(LAB_OPTION) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) \
-		$(ARGS),@echo "make study measures the solutions; they are not in this kit: ask your course" >&2; exit 2)
+		$(ARGS),@$(SCRIPTS)/study_page $(BUILD) '$(LAB)' $(SUBMISSION))
 
 chart: build $(BUILD)/chart ### measure the study again and put its chart and its findings into README.md
 	@$(SCRIPTS)/publish_chart $(BUILD) $(ARGS)

@@ -15,10 +15,10 @@ LIBS = $(shell pkg-config --libs $(PACKAGES) $(GLFW)) $(EMBREE:%=-l%) -lpthread 
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
-# What a lab brings along lies in its folder: scenes*.c, and study*.c, rows*.c and witness*.c where their rooms are. In a kit, which has
-# no solutions, the scenes lie elsewhere. Each file is told its lab, and the name of the table that it may define.
+# What a lab brings along lies in its folder: scenes*.c, predictions*.c, and study*.c, rows*.c and witness*.c where their rooms are. In a kit, which has
+# no solutions, scenes and predictions lie elsewhere. Each file is told its lab, and the name of the table that it may define.
 OURS := $(firstword $(wildcard solutions grader/recorded/scenes))
-BRINGS := scenes $(if $(filter study,$(ROOMS)),study) $(if $(filter stability,$(ROOMS)),rows)
+BRINGS := scenes predictions $(if $(filter study,$(ROOMS)),study) $(if $(filter stability,$(ROOMS)),rows)
 brought = $(sort $(wildcard $(addprefix $(OURS)/[0-9][0-9]-*/,$(1)*.c)))
 lab_id = $(firstword $(subst -, ,$(notdir $(patsubst %/,%,$(dir $(1))))))
 lab_table = lab_$(call lab_id,$(1))_$(subst -,_,$(notdir $(basename $(1))))
@@ -30,7 +30,7 @@ ARCHIVE := $(BUILD)/rooms.a
 LINK = $(CC) $(SANITIZE) -o $@ $(1) -Wl,--as-needed $(ARCHIVE) $(LIBS)
 
 PROGRAM_SOURCES := $(wildcard grader/programs/*.c)
-MISSING := $(if $(EMBREE),,bench_truth truth_worker stability chart sweep) $(if $(GLFW),,view)
+MISSING := $(if $(EMBREE),,bench_truth truth_worker stability chart sweep record_study) $(if $(GLFW),,view)
 PROGRAMS := $(addprefix $(BUILD)/,$(filter-out $(MISSING),$(basename $(notdir $(PROGRAM_SOURCES)))))
 # The jail's own programs stand alone. The shim is static where the system has the archives, so that a process inside begins sooner.
 INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)
@@ -71,6 +71,7 @@ $(BUILD)/grader/score/score.o: CFLAGS += -O3 # the vectors halve what a picture 
 $(BUILD)/$(OURS)/%.o: ALL_CFLAGS += $(LAB_FLAGS)
 # The list of the tables of one kind, in the order of the labs. A file without a table helps another one.
 TABLE_scenes := SceneMaker scene/scene_parts.h
+TABLE_predictions := Prediction predict/prediction.h
 TABLE_study := LabStudy study/study_scene.h
 TABLE_rows := Row stability/row.h
 tables = $(foreach file,$(shell grep -l 'LAB_TABLE\[\]' $(call brought,$(1)) /dev/null),$(call lab_table,$(file)))

@@ -35,6 +35,25 @@ bool image_copy(Image *copy, const Image *image) {
     return true;
 }
 
+// The mean of the pixels of `image` that pixel x, y of the smaller picture covers, one channel.
+static uint8_t mean(const Image *image, int x, int y, int times, int channel) {
+    int sum = 0, count = 0;
+    for (int v = y * times; v < (y + 1) * times && v < image->height; v++)
+        for (int u = x * times; u < (x + 1) * times && u < image->width; u++, count++)
+            sum += image->rgba[image_at(image, u, v) + (size_t)channel];
+    return count > 0 ? (uint8_t)((sum + count / 2) / count) : 0;
+}
+
+bool image_shrink(Image *small, const Image *image, int times) {
+    if (!image_create(small, (image->width + times - 1) / times, (image->height + times - 1) / times))
+        return false;
+    for (int y = 0; y < small->height; y++)
+        for (int x = 0; x < small->width; x++)
+            for (int channel = 0; channel < 4; channel++)
+                small->rgba[image_at(small, x, y) + (size_t)channel] = mean(image, x, y, times, channel);
+    return true;
+}
+
 static uint8_t *rgb_of(const Image *image) {
     size_t pixels = image_bytes(image) / 4;
     uint8_t *rgb = malloc(pixels * 3);

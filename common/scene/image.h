@@ -24,6 +24,10 @@ size_t image_at(const Image *image, int x, int y);
 // Same size and content copied. `copy` must be zeroed or an image that may be freed.
 bool image_copy(Image *copy, const Image *image);
 
+// A smaller picture, whose pixels are the means of squares of `times` x `times` pixels (of fewer at the right
+// and lower border). The caller destroys it. False when there is no memory.
+bool image_shrink(Image *small, const Image *image, int times);
+
 // 8-bit RGB PNG; alpha is dropped.
 bool image_write_png(const Image *image, const char *path);
 // The same in memory, `size` bytes, smaller, and with alpha when asked for; freed by the

@@ -25,7 +25,7 @@ static void add_file(const char *name, void *context) {
     Fingerprint *print = context;
     struct stat info = {0};
     char path[FILES_PATH];
-    if (!file_watch_is_source(name))
+    if (!file_watch_is_source(name) && strcmp(name, "predictions.txt") != 0)
         return;
     files_join(path, print->folder, name);
     if (stat(path, &info) != 0)

@@ -15,7 +15,7 @@ typedef struct FileWatch {
     uint64_t taken, seen;                      // fingerprints: of what was built, and of the last look
 } FileWatch;
 
-// Watches C and GLSL files of two folders from now on.
+// Watches C and GLSL files of two folders from now on, and what a student predicts (predictions.txt).
 void file_watch_begin(FileWatch *changes, const char *folder, const char *other);
 
 // True once for each change, when two looks in a row have found the same files: a file is not read while it

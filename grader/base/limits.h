@@ -19,7 +19,8 @@ enum {
     RUBRIC_MAX_HINTS = 9,                    // of a task
     RUBRIC_MAX_POINTS = 1000,
     RUBRIC_MAX_CHOICES = 6, // of a knob or of a check's scenes
-    RUBRIC_MAX_ALSO = 4,    // alternatives whose other pictures are right, too
+    RUBRIC_MAX_PREDICTIONS = 4,
+    RUBRIC_MAX_ALSO = 4, // alternatives whose other pictures are right, too
 
     RUBRIC_MAX_FILE = 1 << 20, // of rubric.json and the others
     RUBRIC_MAX_TITLE = 60,

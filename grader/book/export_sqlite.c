@@ -61,6 +61,20 @@ static void write_student(FILE *out, const Book *book, const BookRow *row, long 
     fputs(");\n", out);
 }
 
+// A lab's predictions as one more row, so that its rows sum up to its points.
+static void write_predictions(FILE *out, const json_t *lab, long number, const char *id) {
+    size_t i;
+    const json_t *result;
+    double score = 0, most = 0;
+    json_array_foreach(json_object_get(json_object_get(lab, "predictions"), "results"), i, result) {
+        score += table_number(result, "score");
+        most += table_number(result, "max_score");
+    }
+    if (most > 0)
+        fprintf(out, "INSERT INTO \"check\" VALUES(%ld,'%s','%d','predictions',%.2f,%.2f,%d,'');\n", number,
+                id, atoi(id), score, most, score == most);
+}
+
 static void write_checks(FILE *out, const json_t *lab, long number, const char *id) {
     size_t i;
     const json_t *check;
@@ -73,6 +87,7 @@ static void write_checks(FILE *out, const json_t *lab, long number, const char *
         write_next(out, table_text(json_object_get(check, "cause"), "kind"));
         fputs(");\n", out);
     }
+    write_predictions(out, lab, number, id);
 }
 
 static void write_grade(FILE *out, const BookMark *mark, long number, const char *lab) {

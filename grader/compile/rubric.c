@@ -37,10 +37,17 @@ bool rubric_uses_scene(const Check *check, const char *scene) {
     return false;
 }
 
-int rubric_points(const Rubric *rubric) {
+int rubric_check_points(const Rubric *rubric) {
     int points = 0;
     for (int i = 0; i < rubric->check_count; i++)
         points += rubric->checks[i].points;
+    return points;
+}
+
+int rubric_points(const Rubric *rubric) {
+    int points = rubric_check_points(rubric);
+    for (int i = 0; i < rubric->prediction_count; i++)
+        points += rubric->prediction_points[i];
     return points;
 }
 

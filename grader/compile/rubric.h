@@ -61,6 +61,8 @@ typedef struct Rubric {
     int file_count;
     Check checks[RUBRIC_MAX_CHECKS];
     int check_count;
+    int prediction_points[RUBRIC_MAX_PREDICTIONS]; // of a, b, ...; see predict/prediction.h
+    int prediction_count;
     Change *mistakes, *alternatives;
     int mistake_count, alternative_count;
     const Change *also[RUBRIC_MAX_ALSO]; // alternatives that draw other pictures, as right as the solution's
@@ -77,8 +79,11 @@ void rubric_destroy(Rubric *rubric); // accepts a zeroed rubric
 JsonPlace rubric_check_place(const Rubric *rubric, const Check *check);
 JsonPlace rubric_change_place(const Rubric *rubric, const Change *change);
 
-// Sum of the points of all checks.
+// Sum of the points of all checks and predictions.
 int rubric_points(const Rubric *rubric);
+
+// Sum of the points of all checks: the predictions count, but a lab passes without them.
+int rubric_check_points(const Rubric *rubric);
 
 // The task with the number n ("3.4" for 4); NULL when no check is about it.
 const char *rubric_task(const Rubric *rubric, int n);

@@ -13,13 +13,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const JsonField rubric_fields[] = {{"title", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_TITLE},
-                                          {"pass_mark", FIELD_NUMBER, FIELD_NEEDED, 0, 100},
-                                          {"files", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_FILES},
-                                          {"checks", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_CHECKS},
-                                          {"remarks", FIELD_FLAG, FIELD_OPTIONAL, 0, 0},
-                                          {"also right", FIELD_LIST, FIELD_OPTIONAL, 0, RUBRIC_MAX_ALSO},
-                                          {0}};
+static const JsonField rubric_fields[] = {
+    {"title", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_TITLE},
+    {"pass_mark", FIELD_NUMBER, FIELD_NEEDED, 0, 100},
+    {"files", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_FILES},
+    {"checks", FIELD_LIST, FIELD_NEEDED, 1, RUBRIC_MAX_CHECKS},
+    {"predictions", FIELD_LIST, FIELD_OPTIONAL, 1, RUBRIC_MAX_PREDICTIONS},
+    {"remarks", FIELD_FLAG, FIELD_OPTIONAL, 0, 0},
+    {"also right", FIELD_LIST, FIELD_OPTIONAL, 0, RUBRIC_MAX_ALSO},
+    {0}};
 
 static const JsonField check_fields[] = {{"name", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
                                          {"task", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME},
@@ -33,6 +35,7 @@ static const JsonField check_fields[] = {{"name", FIELD_NAME, FIELD_NEEDED, 1, R
                                          {0}};
 
 static const JsonField file_name = {"", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME};
+static const JsonField prediction_points = {"", FIELD_WHOLE, FIELD_NEEDED, 1, RUBRIC_MAX_POINTS};
 static const JsonField alternative_name = {"", FIELD_NAME, FIELD_NEEDED, 1, RUBRIC_MAX_NAME};
 
 static const char *text_of(const json_t *object, const char *key) {
@@ -78,6 +81,18 @@ static bool read_file(Rubric *rubric, const JsonPlace *place, const json_t *entr
     return true;
 }
 
+static bool read_predictions(Rubric *rubric, const JsonPlace *file, const json_t *list) {
+    size_t i;
+    json_t *entry;
+    json_array_foreach(list, i, entry) {
+        const JsonPlace place = json_fields_enter(file, "predictions", i, NULL);
+        if (!json_fields_fits(&place, entry, &prediction_points))
+            return false;
+        rubric->prediction_points[rubric->prediction_count++] = (int)json_integer_value(entry);
+    }
+    return true;
+}
+
 static bool read_rubric(Rubric *rubric, const JsonPlace *file, json_t *root) {
     size_t i;
     json_t *entry;
@@ -98,7 +113,7 @@ static bool read_rubric(Rubric *rubric, const JsonPlace *file, json_t *root) {
         if (!read_check(rubric, &place, entry))
             return false;
     }
-    return true;
+    return read_predictions(rubric, file, json_object_get(root, "predictions"));
 }
 
 typedef struct Document {

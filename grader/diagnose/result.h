@@ -3,6 +3,7 @@
 
 #include "compile/hunks.h"
 #include "exam/exam.h"
+#include "predict/predictions.h"
 #include "score/difference.h"
 
 #include <stdbool.h>
@@ -79,6 +80,7 @@ typedef struct LabResult {
     bool first_only;  // what is wrong is right in the first frame: something is kept from it
     int check_count;
     CheckResult checks[RUBRIC_MAX_CHECKS];
+    Predictions predictions;
 } LabResult;
 
 typedef struct Report {

@@ -5,6 +5,7 @@
 #include "base/places.h"
 #include "exam/exam_file.h"
 #include "exam/handed_out.h"
+#include "predict/predictions.h"
 #include "scene/random.h"
 
 #include <stdlib.h>
@@ -13,7 +14,7 @@ bool lab_exam_open(LabExam *examiner, const char *id) {
     char folder[FILES_PATH];
     *examiner = (LabExam){0};
     return (places_find_lab(folder, id) || check_fail("there is no lab \"%s\"", id)) &&
-           rubric_load(&examiner->rubric, folder);
+           rubric_load(&examiner->rubric, folder) && predictions_fit(&examiner->rubric);
 }
 
 static void forget_pictures(LabExam *examiner) {

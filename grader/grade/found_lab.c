@@ -2,6 +2,7 @@
 
 #include "base/find_file.h"
 #include "exam/handed_out.h"
+#include "predict/prediction_file.h"
 #include "scene/check.h"
 
 #include <stdio.h>
@@ -12,6 +13,7 @@ enum { MOST_IGNORED = 8 };
 typedef struct FolderFiles {
     const Rubric *rubric;
     char taken[RUBRIC_MAX_FILES][FIND_FILE_NAME]; // under which name each file of the rubric lies there
+    char predictions[FIND_FILE_NAME];             // and what was predicted
     void (*say)(const char *text, void *context);
     void *context;
     int ignored;
@@ -21,6 +23,8 @@ static void find_files(FolderFiles *files, const char *folder) {
     for (int i = 0; i < files->rubric->file_count; i++)
         if (!find_file(files->taken[i], folder, files->rubric->files[i]))
             files->taken[i][0] = '\0';
+    if (!find_file(files->predictions, folder, PREDICTION_FILE))
+        files->predictions[0] = '\0';
 }
 
 // Is it taken for a file of the lab? Then, under another name, that is said.
@@ -41,8 +45,8 @@ static bool is_taken(const FolderFiles *files, const char *name) {
 static void look(const char *name, void *context) {
     FolderFiles *files = context;
     char text[400];
-    if (is_taken(files, name) || name[0] == '.' || handed_out_has(files->rubric, name) ||
-        ++files->ignored > MOST_IGNORED)
+    if (is_taken(files, name) || strcmp(files->predictions, name) == 0 || name[0] == '.' ||
+        handed_out_has(files->rubric, name) || ++files->ignored > MOST_IGNORED)
         return;
     snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);
     files->say(text, files->context);

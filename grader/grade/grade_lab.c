@@ -114,15 +114,23 @@ static double points_left(const LabResult *result, const Exam *exam) {
     return points;
 }
 
-// Every check that is not optional, and the pass mark of what was touched.
+// Every check that is not optional, and the pass mark of what was touched. Predictions count points only: who
+// predicted wrong may have done the lab, and who predicted right has not done it yet.
 static bool passes(const LabResult *result, const Exam *exam) {
-    for (int c = 0; c < result->check_count; c++)
+    double score = 0;
+    for (int c = 0; c < result->check_count; c++) {
+        score += result_points(&result->checks[c]);
         if (!result->checks[c].passed && !result->checks[c].check->optional)
             return false;
-    return result->score >= exam->rubric->pass_mark / 100 * (result->max_score - points_left(result, exam));
+    }
+    const double most = rubric_check_points(exam->rubric) - points_left(result, exam);
+    return score >= exam->rubric->pass_mark / 100 * most;
 }
 
 void grade_pictures(LabResult *result, Exam *exam) {
+    if (!result_was_drawn(result))
+        predictions_put_off(&result->predictions);
+    result->score = predictions_points(&result->predictions);
     for (int c = 0; c < result->check_count; c++) {
         score_check(&result->checks[c], exam, c);
         result->score += result_points(&result->checks[c]);
@@ -160,7 +168,8 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
 
 // Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.
 static bool is_to_blame(const LabResult *result, LabExam *examiner, Exam *exam, const WorkerClient *student) {
-    return result->score > 0 || !exam->painters || control_draws(examiner, exam, student);
+    return result->score > predictions_points(&result->predictions) || !exam->painters ||
+           control_draws(examiner, exam, student);
 }
 
 static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
@@ -199,7 +208,10 @@ bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, con
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;
-    bool ok = take_submission(result, &student, &examiner->rubric, submission);
+    bool ok = predictions_take(&result->predictions, &examiner->rubric, submission) &&
+              take_submission(result, &student, &examiner->rubric, submission);
+    if (result->message[0])
+        predictions_put_off(&result->predictions);
     if (ok && !result->message[0])
         ok = examine(result, examiner, &student, options);
     worker_client_stop(&student);

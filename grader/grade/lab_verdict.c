@@ -21,6 +21,7 @@ void grade_begin(LabResult *result, const Rubric *rubric) {
     result->check_count = rubric->check_count;
     for (int c = 0; c < rubric->check_count; c++)
         result->checks[c] = (CheckResult){.check = &rubric->checks[c], .error = 1};
+    predictions_begin(&result->predictions, rubric);
 }
 
 void grade_fail(LabResult *result, LabStatus status, const char *message) {

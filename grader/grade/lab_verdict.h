@@ -4,7 +4,7 @@
 #include "compile/rubric.h"
 #include "diagnose/result.h"
 
-// An empty result with the checks of the rubric.
+// An empty result with the checks and the predictions of the rubric.
 void grade_begin(LabResult *result, const Rubric *rubric);
 
 // Nothing of the submission could be drawn, for this reason.

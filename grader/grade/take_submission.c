@@ -1,3 +1,4 @@
+// Takes the files of a submission that the rubric names, tells what is passed over, and compiles them.
 #include "grade/take_submission.h"
 
 #include "scene/check.h"

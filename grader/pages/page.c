@@ -79,7 +79,8 @@ bool page_begin(Page *page, const char *title) {
 
 char *page_end(Page *page) {
     fputs("</main>\n<script>\n", page->out);
-    bool ok = template_copy(page->out, "grader/pages/page.js");
+    bool ok = template_copy(page->out, "grader/pages/compare.js") &&
+              template_copy(page->out, "grader/pages/page.js");
     fputs("</script>\n", page->out);
     ok = page_end_shell(page->out) && ok;
     ok = (fclose(page->out) == 0 || check_fail("out of memory")) && ok;

@@ -28,7 +28,7 @@ bool page_end_shell(FILE *out);
 // Begins a page up to its heading, with the style of page.css. False with a message.
 bool page_begin(Page *page, const char *title);
 
-// Ends the page with the script of page.js; the caller frees the text. NULL with a message.
+// Ends the page with the scripts of compare.js and page.js; the caller frees the text. NULL with a message.
 char *page_end(Page *page);
 
 // Writes text, escaped for element content and for attributes in double quotes.

@@ -1,10 +1,4 @@
 'use strict';
-// The slider over two pictures: left of it yours, right of it the reference. Without it, half of each is seen.
-for (const slider of document.querySelectorAll('input[data-compare]'))
-    slider.addEventListener('input', () => {
-        slider.closest('figure').querySelector('.compare').style.setProperty('--at', slider.value + '%');
-        slider.setAttribute('aria-valuetext', `${slider.value} % yours, ${100 - slider.value} % reference`);
-    });
 // A click on a column's head sorts the table; a second click turns the order round.
 for (const button of document.querySelectorAll('th button'))
     button.addEventListener('click', () => {

@@ -3,6 +3,7 @@
 #include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
+#include "pages/picture_colors.h"
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
@@ -22,8 +23,12 @@ typedef struct FrameCommand {
     uint64_t seed;
     Request request;
     ContextKind context;
+    int fine; // so many times as wide and high it is drawn
+    bool quiet;
     bool misfit; // a knob of the command line is none of the lab's, or out of its range
 } FrameCommand;
+
+enum { MOST_FINE = 4 };
 
 static bool take_skeleton(void *target, const char *none) {
     (void)none;
@@ -47,6 +52,15 @@ static bool take_without(void *target, const char *text) {
     return true;
 }
 
+static bool take_fine(void *target, const char *text) {
+    return option_whole(target, text, 1, MOST_FINE);
+}
+
+static bool take_colors(void *target, const char *text) {
+    *(bool *)target = strcmp(text, "quiet") == 0;
+    return *(bool *)target || strcmp(text, "own") == 0 || check_fail("takes own or quiet, not \"%s\"", text);
+}
+
 #define AT(field) offsetof(FrameCommand, field)
 static const Option options[] = {
     {"lab", 0, "NN", "the lab", AT(lab), option_lab},
@@ -63,6 +77,10 @@ static const Option options[] = {
     {"job", 0, "DIR", "of it: write all that a worker needs to DIR, and draw nothing (no FILE)", AT(job),
      option_text},
     {"mistake", 0, "NAME", "the solution with a mistake of mistakes.json", AT(mistake), option_text},
+    {"fine", 0, "N", "smooth edges: drawn N times as large (1 to 4), and N x N pixels become one", AT(fine),
+     take_fine},
+    {"colors", 0, "own|quiet", "those of the variant (default), or the few of the handouts' pictures",
+     AT(quiet), take_colors},
     {"context", 0, "C", "osmesa or egl (default: the first that is here)", AT(context), option_context},
     {0}};
 #undef AT
@@ -74,6 +92,10 @@ static bool check(void *settings, const Operands *operands) {
     if (command->job && operands->count > 0)
         return check_fail("\"%s\": with --job there is no FILE.png", operands->texts[0]);
     command->file = operands->texts[0]; // NULL behind the last
+    if (command->fine * command->request.width > PROTOCOL_MAX_SIZE ||
+        command->fine * command->request.height > PROTOCOL_MAX_SIZE)
+        return check_fail("--fine %d makes the picture larger than %d pixels", command->fine,
+                          PROTOCOL_MAX_SIZE);
     return (command->lab[0] && command->scene && (command->job || command->file)) ||
            check_fail("--lab, --scene and one FILE.png (or --job) are needed");
 }
@@ -123,15 +145,22 @@ static bool write_request(const Request *request, const char *folder) {
     return ok || check_fail("%s cannot be written: %s", path, strerror(errno));
 }
 
+static bool make_scene(FrameCommand *command) {
+    Random random = {command->seed};
+    const bool ok = scene_make(&command->request.scene, command->scene, &random);
+    if (ok && command->quiet)
+        picture_colors_apply(&command->request.scene);
+    return ok;
+}
+
 static bool write_job(FrameCommand *command, const Rubric *rubric) {
     char folder[FILES_PATH];
-    Random random = {command->seed};
     static WorkerClient client;
     client = (WorkerClient){.trust = TRUST_NOBODY, .context = command->context, .seconds = 60};
     snprintf(client.folder, sizeof client.folder, "%.4000s", command->job);
     snprintf(folder, sizeof folder, "%.4000s/", command->job);
-    const bool ok = scene_make(&command->request.scene, command->scene, &random) &&
-                    files_make_folder(folder) && take_submission(command->job, rubric, command->submission) &&
+    const bool ok = make_scene(command) && files_make_folder(folder) &&
+                    take_submission(command->job, rubric, command->submission) &&
                     check_knobs(command, &client, command->job) &&
                     write_request(&command->request, command->job);
     worker_client_stop(&client);
@@ -155,9 +184,10 @@ static bool draw(FrameCommand *command, const Rubric *rubric, const char *path) 
     static Reply reply;
     Image image = {0};
     Painters painters = {.rubric = rubric, .context = command->context};
-    Random random = {command->seed};
     const Change *change = command->mistake ? rubric_mistake(rubric, command->mistake) : NULL;
-    bool ok = (change || !command->mistake) && scene_make(&command->request.scene, command->scene, &random);
+    command->request.width *= command->fine;
+    command->request.height *= command->fine;
+    bool ok = (change || !command->mistake) && make_scene(command);
     const Painter *painter =
         ok && !command->submission ? painters_get(&painters, command->solved, change) : NULL;
     ok = ok && command->submission ? draw_submission(command, rubric, &image, &reply)
@@ -165,15 +195,20 @@ static bool draw(FrameCommand *command, const Rubric *rubric, const char *path) 
                                          painters_draw(&painters, painter, &command->request, &image, &reply);
     if (ok && reply.message[0])
         fprintf(stderr, "frame: %s\n", reply.message);
-    ok = ok && (reply.drawn || check_fail("nothing was drawn")) && image_write_png(&image, path);
+    Image shown = {0};
+    ok = ok && (reply.drawn || check_fail("nothing was drawn")) &&
+         image_shrink(&shown, &image, command->fine) && image_write_png(&shown, path);
     image_destroy(&image);
+    image_destroy(&shown);
     painters_destroy(&painters);
     return ok;
 }
 
 int main(int count, char **arguments) {
     static FrameCommand command = {
-        .seed = 1, .request = {.magic = PROTOCOL_MAGIC, .width = 480, .height = 360, .view = VIEW_PICTURE}};
+        .seed = 1,
+        .fine = 1,
+        .request = {.magic = PROTOCOL_MAGIC, .width = 480, .height = 360, .view = VIEW_PICTURE}};
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &command.context);
     signal(SIGPIPE, SIG_IGN);

@@ -1,12 +1,14 @@
 // skeletons: writes the labs for students, made from solutions/: each source with every task left to do (or
-// solved up to TASK, "3.5"), the handout and its pictures, and nothing else: sources that the rubric does not
-// list are the grader's. What is unchanged is not rewritten.
+// solved up to TASK, "3.5"), the questions to predict, the handout and its pictures, and nothing else:
+// sources that the rubric does not list are the grader's. What is unchanged is not rewritten.
 #include "scene/check.h"
 #include "compile/lab_folder.h"
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "compile/rubric_file.h"
 #include "base/places.h"
+#include "predict/prediction_sheet.h"
+#include "predict/predictions.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -51,8 +53,8 @@ static bool is_students(const Rubric *rubric, const char *name) {
 static void write_file(const char *name, void *context) {
     SkeletonWriter *writer = context;
     char from[FILES_PATH], to[FILES_PATH];
-    if (!writer->ok || ends_with(name, ".json") || strcmp(name, "pictures") == 0 || ends_with(name, ".gp") ||
-        ends_with(name, ".mjs"))
+    if (!writer->ok || strcmp(name, PREDICTION_FILE) == 0 || ends_with(name, ".json") ||
+        strcmp(name, "pictures") == 0 || ends_with(name, ".gp") || ends_with(name, ".mjs"))
         return;
     files_join(from, writer->from, name);
     files_join(to, writer->to, name);
@@ -60,6 +62,23 @@ static void write_file(const char *name, void *context) {
                   ends_with(name, ".frag") || ends_with(name, ".geom") || ends_with(name, ".glsl");
     if (!source || is_students(&writer->rubric, name))
         writer->ok = write_copy(from, to, writer->solved, source);
+}
+
+// The questions of the predictions, without the numbers of any sheet.
+static bool write_predictions(const SkeletonWriter *writer) {
+    char to[FILES_PATH];
+    bool changed;
+    if (writer->rubric.prediction_count == 0)
+        return true;
+    if (!predictions_fit(&writer->rubric))
+        return false;
+    files_join(to, writer->to, PREDICTION_FILE);
+    char *text = prediction_sheet_text(&writer->rubric, 0);
+    const bool ok = files_write_changed(to, text, strlen(text), &changed);
+    if (changed)
+        puts(to);
+    free(text);
+    return ok;
 }
 
 static void write_lab(const char *id, void *context) {
@@ -70,7 +89,7 @@ static void write_lab(const char *id, void *context) {
     files_join(writer->to, writer->output, strrchr(writer->from, '/') + 1);
     snprintf(folder, sizeof folder, "%.4000s/", writer->to);
     writer->ok = rubric_load(&writer->rubric, writer->from) && files_make_folder(folder) &&
-                 files_list(writer->from, write_file, writer);
+                 files_list(writer->from, write_file, writer) && write_predictions(writer);
     rubric_destroy(&writer->rubric);
 }
 

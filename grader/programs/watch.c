@@ -7,6 +7,7 @@
 #include "base/places.h"
 #include "exam/exam_seeds.h"
 #include "watch/after_lab.h"
+#include "watch/predict_first.h"
 #include "watch/screens.h"
 #include "watch/terminal.h"
 #include "watch/viewer.h"
@@ -34,7 +35,7 @@ typedef struct Watch {
 typedef struct WatchCommand {
     char folder[FILES_PATH], lab[3]; // "": the first that is not done
     GradingOptions grading;
-    bool list, answer, begin_again;
+    bool list, answer, predict, begin_again;
 } WatchCommand;
 
 #define AT(field) offsetof(WatchCommand, field)
@@ -46,14 +47,16 @@ static const Option options[] = {
      AT(grading.context), option_context},
     {"list", 0, NULL, "print how far all labs are, and end", AT(list), option_flag},
     {"answer", 0, NULL, "print what a lab that is done has to tell, and end", AT(answer), option_flag},
+    {"predict", 0, NULL, "write the questions of a lab's predictions, with numbers of your own, and end",
+     AT(predict), option_flag},
     {"begin-again", 0, NULL, "note that the lab is not done, and end", AT(begin_again), option_flag},
     {0}};
 #undef AT
 
 static bool check(void *settings, const Operands *operands) {
     WatchCommand *command = settings;
-    if ((command->answer || command->begin_again) && !command->lab[0])
-        return check_fail("--answer and --begin-again go with --lab NN");
+    if ((command->answer || command->predict || command->begin_again) && !command->lab[0])
+        return check_fail("--answer, --predict and --begin-again go with --lab NN");
     return operands->count == 0 || realpath(operands->texts[0], command->folder) ||
            check_fail("%s is not a folder", operands->texts[0]);
 }
@@ -84,6 +87,7 @@ static void turn_to(Watch *watch, int lab) {
     watch->listing = false;
     watch->top = 0;
     watch->entered = watch->dirty = true;
+    predict_first_draw(&watch->board, lab);
 }
 
 // Grades the current lab when it was saved or just chosen. Another lab that is saved becomes the current
@@ -150,7 +154,7 @@ static void press_in_lab(Watch *watch, int key) {
     else if (key == 'n')
         go_on(watch);
     else if (key == 'r')
-        viewer_open(&watch->viewer, board->rubrics[board->current].id, board->message, sizeof board->message);
+        viewer_open(&watch->viewer, board);
     else if (key == KEY_DOWN || key == KEY_UP)
         watch->top += key == KEY_DOWN ? SCROLL : -SCROLL;
     else if (key == 'l') {
@@ -237,6 +241,8 @@ static int run(Watch *watch, const WatchCommand *command) {
         return lab_board_begin_again(&watch->board, watch->board.current) ? EXIT_DONE : EXIT_FAULT;
     if (command->answer)
         return after_lab_print(&watch->board, isatty(STDOUT_FILENO) && watch->color) ? EXIT_DONE : EXIT_OPEN;
+    if (command->predict)
+        return predict_first_print(&watch->board) ? EXIT_DONE : EXIT_FAULT;
     if (command->list) {
         print_list(watch);
         return EXIT_DONE;

@@ -170,6 +170,8 @@ bool proof_row_run(ProofRow *row, Exam *exam, Painters *painters) {
     }
     memcpy(row->contender.folder, painter->folder, sizeof row->contender.folder);
     bool ok = name_causes(&result, row, exam);
+    if (row->kind != KIND_SKELETON) // as from somebody who predicted all numbers right
+        result.score += predictions_max_points(&result.predictions);
     double percent = 100 * result.score / result.max_score;
     row->earned = earned(&result, row->number);
     if (first || percent < row->lowest)

@@ -1,3 +1,4 @@
+// The report as Gradescope reads it: a test a check, and one for the predictions of a lab.
 #include "report/report.h"
 
 #include "pages/page.h"
@@ -49,6 +50,35 @@ static json_t *test_json(const LabResult *lab, const CheckResult *check) {
                      "html", "visibility", "visible");
 }
 
+// The lab's last test: what was predicted, a line each.
+static json_t *predictions_output(const Predictions *predictions) {
+    Page page = {0};
+    page.out = open_memstream(&page.text, &page.size);
+    INVARIANT(page.out);
+    add_line(&page, "A lab passes without them.");
+    add_line(&page, predictions->message);
+    for (int n = 0; predictions->sheet && n < predictions->count; n++) {
+        const PredictionResult *result = &predictions->results[n];
+        char text[1100];
+        snprintf(text, sizeof text, "%c: %s%s", 'a' + n, result->right ? "right: " : "",
+                 result->right ? result->typed : result->why);
+        add_line(&page, text);
+    }
+    fclose(page.out);
+    json_t *output = json_string(page.text);
+    free(page.text);
+    return output;
+}
+
+static json_t *predictions_json(const LabResult *lab) {
+    const Predictions *predictions = &lab->predictions;
+    const int points = predictions_points(predictions), most = predictions_max_points(predictions);
+    return json_pack("{s:o, s:s, s:i, s:i, s:s, s:o, s:s, s:s}", "name",
+                     json_sprintf("Lab %s: predictions", lab->id), "number", lab->id, "score", points,
+                     "max_score", most, "status", points == most ? "passed" : "failed", "output",
+                     predictions_output(predictions), "output_format", "html", "visibility", "visible");
+}
+
 // What concerns a lab as a whole.
 static void add_words(char *text, size_t size, const LabResult *lab) {
     if (lab->summary[0])
@@ -68,6 +98,8 @@ json_t *report_gradescope(const Report *report) {
         add_words(words, sizeof words, lab);
         for (int c = 0; c < lab->check_count; c++)
             json_array_append_new(tests, test_json(lab, &lab->checks[c]));
+        if (lab->predictions.count > 0)
+            json_array_append_new(tests, predictions_json(lab));
     }
     json_t *seed = json_sprintf("%llu", (unsigned long long)report->seed);
     return json_pack("{s:f, s:f, s:s, s:s, s:s, s:s, s:{s:o, s:s, s:f}, s:o}", "score",

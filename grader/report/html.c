@@ -42,6 +42,42 @@ static void write_checks(Page *page, const LabResult *lab) {
     page_end_table(page);
 }
 
+static void write_prediction(Page *page, const PredictionResult *result, int n) {
+    fprintf(page->out, "<tr><td class=\"%s\">%s</td><td>%c</td><td>", class_of(result->right),
+            result->right      ? "right"
+            : result->typed[0] ? "wrong"
+                               : "open",
+            'a' + n);
+    page_text(page, result->question);
+    fputs("</td><td>", page->out);
+    page_text(page, result->typed);
+    fprintf(page->out, "</td>" PAGE_POINTS "<td class=\"number\">%d of %d</td>" PAGE_POINTS_END "<td>",
+            result->right ? result->points : 0, result->points);
+    page_text(page, result->why);
+    fputs("</td></tr>\n", page->out);
+}
+
+// What was predicted, which counts points and is not needed to pass.
+static void write_predictions(Page *page, const LabResult *lab) {
+    const Predictions *predictions = &lab->predictions;
+    char label[40];
+    if (predictions->count == 0)
+        return;
+    fprintf(page->out, "<h3>Predictions</h3>\n<p>" PAGE_POINTS "%d of %d points. " PAGE_POINTS_END,
+            predictions_points(predictions), predictions_max_points(predictions));
+    page_text(page, predictions->message);
+    fputs(" <span class=\"quiet\">A lab passes without them.</span></p>\n", page->out);
+    if (!predictions->sheet)
+        return;
+    snprintf(label, sizeof label, "Predictions of lab %s", lab->id);
+    page_begin_table(
+        page, label,
+        (const char *const[]){"result", "id", "question", "predicted", "#points", "what is wrong", NULL});
+    for (int n = 0; n < predictions->count; n++)
+        write_prediction(page, &predictions->results[n], n);
+    page_end_table(page);
+}
+
 static void write_key(Page *page, int color) {
     fprintf(page->out, "<span class=\"key\" style=\"background:#%06x\"></span> ", (unsigned)color);
 }
@@ -65,13 +101,13 @@ static void write_evidence(Page *page, const LabResult *lab, int c) {
     fputs("</h3>\n<figure>\n<div><div class=\"compare\">", page->out);
     page_picture(page, &parts[EVIDENCE_YOURS], "yours", "yours");
     page_picture(page, &parts[EVIDENCE_REFERENCE], "reference", "reference");
-    fprintf(
-        page->out,
-        "</div><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" data-compare aria-valuetext=\"50 %% "
-        "yours, 50 %% reference\" aria-label=\"%s: how much of yours is seen\"><div "
-        "class=\"ends\"><span>left of "
-        "the line: yours</span><span>right: reference</span></div></div>\n<div>",
-        check->check->task);
+    fprintf(page->out,
+            "</div><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" data-compare=\"yours|reference\" "
+            "aria-valuetext=\"50 %% "
+            "yours, 50 %% reference\" aria-label=\"%s: how much of yours is seen\"><div "
+            "class=\"ends\"><span>left of "
+            "the line: yours</span><span>right: reference</span></div></div>\n<div>",
+            check->check->task);
     page_picture(page, &parts[EVIDENCE_DIFFERENCE], "difference", "difference");
     fputs("<span class=\"quiet\">difference</span></div>\n<div>", page->out);
     page_picture(page, &parts[EVIDENCE_CROP], "crop",
@@ -109,6 +145,7 @@ static void write_lab(Page *page, const LabResult *lab) {
     }
     write_words(page, "Message", lab->message);
     write_checks(page, lab);
+    write_predictions(page, lab);
     write_words(page, "Notes", lab->warnings);
     for (int c = 0; c < lab->check_count; c++)
         if (lab->checks[c].evidence[0].rgba)

@@ -41,15 +41,29 @@ static json_t *summary_json(const LabResult *lab) {
                      parts_json(&lab->fault), "failed", lab->fault.failed, "repaired", lab->fault.repaired);
 }
 
+static json_t *predictions_json(const Predictions *predictions) {
+    json_t *results = json_array();
+    for (int n = 0; n < predictions->count; n++) {
+        const PredictionResult *result = &predictions->results[n];
+        json_array_append_new(results, json_pack("{s:s#, s:s, s:s, s:b, s:i, s:i, s:s}", "id",
+                                                 &(char){(char)('a' + n)}, 1, "question", result->question,
+                                                 "typed", result->typed, "right", result->right, "score",
+                                                 result->right ? result->points : 0, "max_score",
+                                                 result->points, "message", result->why));
+    }
+    return json_pack("{s:I, s:s, s:o}", "sheet", (json_int_t)predictions->sheet, "message",
+                     predictions->message, "results", results);
+}
+
 static json_t *lab_json(const LabResult *lab) {
     json_t *checks = json_array();
     for (int c = 0; c < lab->check_count; c++)
         json_array_append_new(checks, check_json(&lab->checks[c]));
-    return json_pack("{s:s, s:s, s:b, s:f, s:f, s:s, s:s, s:s, s:f, s:o, s:o}", "id", lab->id, "name",
+    return json_pack("{s:s, s:s, s:b, s:f, s:f, s:s, s:s, s:s, s:f, s:o, s:o, s:o}", "id", lab->id, "name",
                      lab->name, "handed_in", !lab->missing, "score", rounded(lab->score, 0.01), "max_score",
                      lab->max_score, "status", result_status_name(lab->status), "message", lab->message,
                      "warnings", lab->warnings, "speed_ratio", rounded(lab->speed_ratio, 0.001), "summary",
-                     summary_json(lab), "checks", checks);
+                     summary_json(lab), "checks", checks, "predictions", predictions_json(&lab->predictions));
 }
 
 json_t *report_json(const Report *report) {

@@ -75,6 +75,23 @@ static void print_checks(const LabResult *lab, FILE *out, const Colors *colors) 
         fprintf(out, "  %sMore hints: make hint TASK=%s%s\n", colors->dim, task, colors->end);
 }
 
+// The numbers that were predicted; none while there is no sheet to judge them by.
+static void print_predictions(const Predictions *predictions, FILE *out, const Colors *colors) {
+    if (predictions->count == 0)
+        return;
+    fprintf(out, "  %spredictions %d/%d%s (a lab passes without them)\n", colors->bold,
+            predictions_points(predictions), predictions_max_points(predictions), colors->end);
+    if (predictions->message[0])
+        print_lines(out, "         ", predictions->message, colors);
+    for (int n = 0; predictions->sheet && n < predictions->count; n++) {
+        const PredictionResult *result = &predictions->results[n];
+        fprintf(out, "  %s%s%s %6d/%-3d %-4c %s\n", result->right ? colors->good : colors->bad,
+                result->right ? "ok  " : "FAIL", colors->end, result->right ? result->points : 0,
+                result->points, 'a' + n, result->right ? result->typed : "");
+        print_lines(out, "         ", result->why, colors);
+    }
+}
+
 static void print_bar(double share, FILE *out) {
     int full = (int)(share * BAR + 1e-9);
     fputc('[', out);
@@ -94,6 +111,7 @@ static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
     }
     print_summary(lab, out, colors);
     print_checks(lab, out, colors);
+    print_predictions(&lab->predictions, out, colors);
     fputs("  ", out);
     print_bar(lab->max_score > 0 ? lab->score / lab->max_score : 0, out);
     fprintf(out, " %.2f of %.0f points, %s%s%s", lab->score, lab->max_score,

@@ -5,13 +5,14 @@ import {
 import path from "node:path";
 import { colored, languageOf } from "./code.mjs";
 import { withFigure } from "./figures.mjs";
-import { gallery } from "./gallery.mjs";
+import { addMistakes, gallery, withSliders } from "./gallery.mjs";
 import { addAnswer, addMeasured, addSlides } from "./handout.mjs";
 import { describe, landing } from "./landing.mjs";
 import { frame } from "./layout.mjs";
 import { measured } from "./measured.mjs";
 import { escape, render, slug } from "./pages.mjs";
 import { sections, slidesOfTasks } from "./parts.mjs";
+import { progress } from "./progress.mjs";
 import { search } from "./search.mjs";
 
 const output = process.argv[2];
@@ -48,7 +49,12 @@ function rooms() {
 
 // The pages in the order of the lectures; those without a source are made of others.
 const folders = readdirSync("labs").filter((name) => /^\d\d-[a-z-]+$/.test(name)).sort();
-const labs = folders.map((name) => ({ source: `labs/${name}/README.md`, file: `${name}.html`, group: "Labs", lab: name }));
+const far = progress();
+const labs = folders.map((name) => ({
+  source: `labs/${name}/README.md`, file: `${name}.html`, group: "Labs", lab: name,
+  folder: [`solutions/${name}`, `grader/recorded/${name}`].find(existsSync), // where answers and mistakes lie
+  progress: far.get(name.slice(0, 2)), done: far.get(name.slice(0, 2))?.done,
+}));
 const start = { file: "index.html", label: "Start", title: "Shadow Lab" };
 const wrong = { file: "wrong.html", label: "What goes wrong", title: "What goes wrong, and how it looks", group: "More" };
 const finder = { file: "search.html", label: "Search", title: "Search", group: "More" };
@@ -94,10 +100,13 @@ const site = {
   },
 };
 
+const slider = read("../pages/compare.js");
+
 function decorate(page, slides) {
-  const folder = [`solutions/${page.lab}`, `grader/recorded/${page.lab}`].find(existsSync);
-  const html = addMeasured(addAnswer(addSlides(page.html, slides), folder), measured(page.lab, output));
-  return withFigure(html, page.lab, site.picture) ?? { html };
+  const text = addAnswer(addSlides(addMistakes(page.html, page.lab, page.folder), slides), page.folder);
+  const sliding = withSliders(addMeasured(text, measured(page.lab, output)), slider);
+  const { scripts = [], ...rest } = withFigure(sliding.html, page.lab, site.picture) ?? { html: sliding.html };
+  return { ...rest, scripts: [...scripts, ...sliding.scripts] };
 }
 
 // The first picture of a page.
@@ -118,9 +127,9 @@ function makeStart() {
     ["teachers.html", "grading a class, the chart of speed against error, how it is built"],
   ].map(([file, what]) => ({ ...pages.find((page) => page.file === file), what })).filter(({ file }) => file);
   return landing({
-    introduction: paragraphs(before, (text) => /^[A-Z]/.test(text.trim()) && !words++),
+    introduction: paragraphs(before, (text) => text.startsWith("![") || (/^[A-Z]/.test(text.trim()) && !words++)),
     order: paragraphs(partOf("The labs")?.body ?? "", (text) => /^[A-Z]/.test(text.trim())),
-    labs: labs.map((page) => ({ file: page.file, title: page.label, ...firstPicture(page), ...describe(readme, page.source) })),
+    labs: labs.map((page) => ({ file: page.file, title: page.label, progress: page.progress, ...firstPicture(page), ...describe(readme, page.source) })),
     ways,
   });
 }
@@ -133,7 +142,7 @@ for (const page of pages.filter(({ source }) => source)) {
   Object.assign(page, render(page.source, site, page.text));
   page.label ??= escape(page.title.replace(/^Lab (\d\d): /, "$1 "));
 }
-wrong.html = gallery(labs);
+Object.assign(wrong, gallery(labs, slider));
 const slides = slidesOfTasks(read("slides.md"));
 for (const page of labs) Object.assign(page, decorate(page, slides));
 start.html = makeStart();

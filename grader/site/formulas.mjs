@@ -27,9 +27,13 @@ export function takeFormulas(markdown) {
   return { text, formulas };
 }
 
+// A formula within a line that may be wider than a phone can be scrolled by itself there, by keys, too.
+const LONG = 32; // letters of TeX
+
 // One formula as MathML; throws with TeX's message when it is wrong.
 export function mathml({ tex, display }) {
-  return katex.renderToString(tex, { displayMode: display, output: "mathml", throwOnError: true, strict: "error" });
+  const html = katex.renderToString(tex, { displayMode: display, output: "mathml", throwOnError: true, strict: "error" });
+  return display || tex.length < LONG ? html : html.replace('<span class="katex">', '<span class="katex long" tabindex="0">');
 }
 
 // Puts the formulas back into the parser's HTML. `where` names the file in an error.

@@ -1,4 +1,11 @@
 // What stands around each page: the list of all pages, with the contents of this one, and the way to the next.
+import { createHash } from "node:crypto";
+
+// A page's policy lets its own scripts run, each by its hash, and no other.
+function policy({ scripts = [] }) {
+  const hashes = scripts.map((code) => `'sha256-${createHash("sha256").update(code).digest("base64")}'`);
+  return `${hashes.length ? `script-src ${hashes.join(" ")}; ` : ""}img-src 'self' file: data:`;
+}
 
 // The headings of the second level.
 function contents({ html }) {
@@ -9,7 +16,8 @@ function contents({ html }) {
 
 function entry(page, current) {
   const here = page.file === current.file;
-  return `<li><a href="${page.file}"${here ? ' aria-current="page"' : ""}>${page.label}</a>${here ? contents(page) : ""}</li>`;
+  const done = page.done ? ' <span class="done" title="done">✓</span>' : "";
+  return `<li><a href="${page.file}"${here ? ' aria-current="page"' : ""}>${page.label}${done}</a>${here ? contents(page) : ""}</li>`;
 }
 
 // Groups but that of the labs are folded up, unless the page is one of theirs.
@@ -40,7 +48,7 @@ function turn(pages, page) {
   return at < 0 ? "" : `<nav class="turn" aria-label="Previous and next page">${links}</nav>`;
 }
 
-// The whole page. `page` has file, title and html, and the style and the part of the policy that it alone needs.
+// The whole page. `page` has file, title and html, and the style and the scripts (their texts) that it alone needs.
 export function frame(page, pages, style, shell) {
   const name = page.title === "Shadow Lab" ? page.title : `${page.title} - Shadow Lab`;
   const content = `<a class="skip" href="#text">To the text</a>
@@ -49,6 +57,6 @@ ${navigation(pages, page)}
 ${page.html}${turn(pages, page)}
 </main>
 `;
-  const holes = { policy: `${page.policy ? `${page.policy}; ` : ""}img-src 'self' file: data:`, title: name, style: style + (page.style ?? ""), content };
+  const holes = { policy: policy(page), title: name, style: style + (page.style ?? ""), content };
   return shell.replace(/{{(\w+)}}/g, (_, hole) => holes[hole]);
 }

@@ -3,26 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-// The mean of the pixels of `image` that pixel x, y of the smaller picture covers, one channel.
-static uint8_t mean(const Image *image, int x, int y, int times, int channel) {
-    int sum = 0, count = 0;
-    for (int v = y * times; v < (y + 1) * times && v < image->height; v++)
-        for (int u = x * times; u < (x + 1) * times && u < image->width; u++, count++)
-            sum += image->rgba[image_at(image, u, v) + (size_t)channel];
-    return count > 0 ? (uint8_t)((sum + count / 2) / count) : 0;
-}
-
-bool reel_shrink(Image *small, const Image *image, int width) {
-    const int times = (image->width + width - 1) / width;
-    if (!image_create(small, (image->width + times - 1) / times, (image->height + times - 1) / times))
-        return false;
-    for (int y = 0; y < small->height; y++)
-        for (int x = 0; x < small->width; x++)
-            for (int channel = 0; channel < 4; channel++)
-                small->rgba[image_at(small, x, y) + (size_t)channel] = mean(image, x, y, times, channel);
-    return true;
-}
-
 // Keeps every second frame.
 static void thin_out(Reel *reel) {
     for (int i = 0; i < reel->count; i++)
@@ -46,7 +26,7 @@ void reel_add(Reel *reel, const Image *strip, const char *caption) {
         return;
     ReelFrame *frame = &reel->frames[reel->count];
     *frame = (ReelFrame){0};
-    if (reel_shrink(&small, strip, REEL_WIDTH))
+    if (image_shrink(&small, strip, (strip->width + REEL_WIDTH - 1) / REEL_WIDTH))
         frame->png = image_encode_png(&small, false, &frame->size);
     image_destroy(&small);
     snprintf(frame->caption, sizeof frame->caption, "%s", caption);

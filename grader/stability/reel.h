@@ -23,6 +23,3 @@ typedef struct Reel {
 // does not depend on it.
 void reel_add(Reel *reel, const Image *strip, const char *caption);
 void reel_destroy(Reel *reel); // accepts a zeroed reel
-
-// The mean of so many pixels each way that the picture is at most `width` wide. False with a message.
-bool reel_shrink(Image *small, const Image *image, int width);

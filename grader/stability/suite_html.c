@@ -12,7 +12,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SVG = 1 << 22 };
+enum {
+    MOST_SVG = 1 << 22,
+    // Pixels of one figure of a row: its words stay readable on a phone, where the figures scroll by
+    // themselves.
+    WIDEST = 620,
+    NARROWEST = 520
+};
 
 static const char *status_class(RowStatus status) {
     static const char *const classes[] = {"good", "bad", "quiet"};
@@ -109,8 +115,11 @@ static bool write_figures(Page *page, const RowResult *result, const char *folde
     char *svg = files_read(path, MOST_SVG);
     if (!svg)
         return false;
+    const int figures = result->findings.figure_count;
     fprintf(page->out,
-            "<figure><img style=\"width:%dpx\" alt=\"Curves:", 620 * result->findings.figure_count);
+            "<figure><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Curves of row %d\">"
+            "<img class=\"curves\" style=\"width:%dpx;min-width:%dpx\" alt=\"Curves:",
+            result->row->number, WIDEST * figures, NARROWEST * figures);
     for (int i = 0; i < result->findings.figure_count; i++) {
         fputc(' ', page->out);
         page_text(page, result->findings.figures[i].title);
@@ -118,7 +127,7 @@ static bool write_figures(Page *page, const RowResult *result, const char *folde
     }
     fputs(" Their numbers stand below.\" src=\"", page->out);
     page_data(page, "image/svg+xml", svg, strlen(svg));
-    fputs("\"></figure>\n<ul>\n", page->out);
+    fputs("\"></div></figure>\n<ul>\n", page->out);
     free(svg);
     for (int i = 0; i < result->findings.figure_count; i++)
         for (int c = 0; c < result->findings.figures[i].count; c++)
@@ -205,9 +214,11 @@ char *suite_html(const RowResult *results, int count, const char *folder) {
             "method, the "
             "ray-traced truth and the error: yellow is false light, blue false shadow, black does not "
             "count.</p>\n"
-            "<style>figure img { image-rendering: auto; } "
+            "<style>figure img { image-rendering: auto; } figure .wide { max-width: 100%%; } "
+            "figure img.curves { max-width: 100%%; } "
             "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
-            "image-rendering: pixelated; } .reel label { display: flex; flex-wrap: wrap; gap: 0.5rem; } "
+            "image-rendering: pixelated; } .reel label { display: flex; flex-wrap: wrap; gap: 0.5rem; "
+            "max-width: 100%%; } "
             ".reel input { flex: 1; min-width: 0; "
             "max-width: 40rem; } .state { white-space: nowrap; }</style>\n",
             of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);

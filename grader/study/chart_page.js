@@ -306,7 +306,7 @@ function drawScene(scene) {
     draw();
   });
   draw();
-  return make('section', {'aria-label': scene.title}, make('h2', {}, scene.title),
+  return make('section', {id: scene.name, 'aria-label': scene.title}, make('h2', {}, scene.title),
               make('p', {}, `Shows: ${scene.shows}. Drawn by ${scene.renderer}.`),
               make('p', {}, make('strong', {}, 'What it needs: '), scene.need + '.'),
               make('div', {class: 'scene'}, chart, panel));

@@ -54,6 +54,7 @@ static void copy_result(LabVerdict *verdict, const LabResult *result) {
     memcpy(verdict->message, result->message, sizeof verdict->message);
     memcpy(verdict->warnings, result->warnings, sizeof verdict->warnings);
     memcpy(verdict->summary, result->summary, sizeof verdict->summary);
+    verdict->predictions = result->predictions;
     verdict->check_count = result->check_count;
     for (int c = 0; c < result->check_count; c++)
         copy_check(&verdict->checks[c], &result->checks[c]);

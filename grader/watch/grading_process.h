@@ -25,6 +25,7 @@ typedef struct LabVerdict {
     char summary[700]; // where to look first; "" when nothing is known to be wrong
     int check_count;
     VerdictCheck checks[RUBRIC_MAX_CHECKS];
+    Predictions predictions;
 } LabVerdict;
 
 typedef struct GradingOptions {

@@ -2,6 +2,7 @@
 #include "watch/screens.h"
 
 #include "watch/after_lab.h"
+#include "watch/predict_first.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -130,6 +131,8 @@ void screens_lab(Sheet *sheet, const LabBoard *board, bool busy) {
         return;
     }
     const bool broken = is_broken(&board->verdict);
+    if (!broken)
+        predict_first_show(sheet, board);
     if (board->verdict.done)
         after_lab_show_done(sheet, board);
     if (!broken && !board->verdict.done)

@@ -22,25 +22,32 @@ static int open_log(void) {
 }
 
 // It gets a session of its own, so that it stays open when the watch ends.
-static _Noreturn void run(const char *program, const char *id, int log) {
+static _Noreturn void run(const char *program, const char *id, const char *task, int log) {
+    const char *arguments[6] = {program, "--lab", id};
+    int count = 3;
+    if (task[0])
+        arguments[count++] = "--check", arguments[count++] = task;
     terminal_forget();
     setsid();
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(log, STDOUT_FILENO);
     dup2(log, STDERR_FILENO);
-    execl(program, program, "--lab", id, (char *)NULL);
+    execv(program, (char *const *)arguments);
     _exit(127);
 }
 
-void viewer_open(Viewer *viewer, const char *id, char *message, size_t size) {
-    char program[FILES_PATH];
+void viewer_open(Viewer *viewer, LabBoard *board) {
+    const Rubric *rubric = &board->rubrics[board->current];
+    const bool is_open = board->known && board->focus.check >= 0;
+    char program[FILES_PATH], *message = board->message;
+    const size_t size = sizeof board->message;
     places_build_path(program, "view");
     if (access(program, X_OK) != 0) {
         snprintf(message, size,
                  "there is no window: build/view was not built (it needs GLFW; see README.md). "
                  "Look at pictures instead: make grade LAB=%s ARGS=\"--output wrong\"",
-                 id);
+                 rubric->id);
         return;
     }
     if (viewer->pid > 0) {
@@ -50,7 +57,7 @@ void viewer_open(Viewer *viewer, const char *id, char *message, size_t size) {
     viewer->log = open_log();
     viewer->pid = viewer->log >= 0 ? fork() : -1;
     if (viewer->pid == 0)
-        run(program, id, viewer->log);
+        run(program, rubric->id, is_open ? rubric->checks[board->focus.check].task : "", viewer->log);
     snprintf(message, size, viewer->pid > 0 ? "the window opens" : "the window could not be started");
 }
 

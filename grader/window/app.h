@@ -10,8 +10,8 @@
 #include <stdbool.h>
 
 typedef struct AppOptions {
-    char lab[3];                                 // "05"
-    const char *submission, *scene, *screenshot; // NULL: not given
+    char lab[3];                                         // "05"
+    const char *submission, *check, *scene, *screenshot; // NULL: not given
     uint64_t seed;
     Show show;
     double quit_after, seconds; // 0: never; that a frame of mine may take

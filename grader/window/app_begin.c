@@ -63,10 +63,27 @@ static void start_feed(App *app, FeedKind kind, void (*wake)(void)) {
     check_clear();
 }
 
-static void take_options(App *app) {
+// The state of the first check of the task that the options name. False with a message when there is none.
+static bool take_check(App *app) {
+    const char *task = app->options->check;
+    int c = 0;
+    if (!task)
+        return true;
+    while (c < app->rubric.check_count && strcmp(app->rubric.checks[c].task, task) != 0)
+        c++;
+    if (c == app->rubric.check_count)
+        return check_fail("lab %s has no check of a task \"%s\"", app->rubric.id, task);
+    app->state.check = c - 1;
+    view_state_step_check(&app->state, &app->rubric, 1);
+    return true;
+}
+
+static bool take_options(App *app) {
     const AppOptions *options = app->options;
     ViewState *state = &app->state;
     view_state_begin(state, &app->rubric);
+    if (!take_check(app))
+        return false;
     state->seed = options->seed;
     state->show = options->show;
     state->against_truth = options->against_truth;
@@ -79,6 +96,7 @@ static void take_options(App *app) {
         snprintf(state->view, sizeof state->view, "%s", options->request.view);
     for (int i = 0; i < options->request.knob_count; i++)
         view_state_set_knob(state, options->request.knobs[i].name, options->request.knobs[i].value);
+    return true;
 }
 
 // Who asks at once for a reference that is recorded begins there.
@@ -96,8 +114,7 @@ bool app_create(App *app, const AppOptions *options, void (*wake)(void)) {
     app->options = options;
     if (!find_mine(app, id) || !load_rubric(app, id) || !captions_load(&app->captions, &app->rubric))
         return false;
-    take_options(app);
-    if (!view_state_request(&app->state, 16, 16, &request))
+    if (!take_options(app) || !view_state_request(&app->state, 16, 16, &request))
         return false;
     places_path(shaders, "shaders");
     file_watch_begin(&app->watches[0], app->folder, shaders);

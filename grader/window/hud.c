@@ -70,6 +70,10 @@ static void add_state(const App *app, Lines *lines) {
     view_state_text(&app->state, &app->rubric, what, sizeof what);
     line[0] = '\0';
     check_append(line, sizeof line, "%s: %s", show_name(&app->state), what);
+    if (app_recorded_shows(app))
+        check_append(line, sizeof line, "  [recorded: check %s, %s]",
+                     app->rubric.checks[app->recorded.check].task,
+                     app->rubric.checks[app->recorded.check].name);
     lines_add(lines, dim, line);
     add_caption(app, lines);
     for (int i = 0; i < app->table.knob_count; i++)

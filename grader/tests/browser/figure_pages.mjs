@@ -40,47 +40,86 @@ async function keys(page, lab) {
     check(`${lab}: and the button puts it back`, (await where()) === first, await where());
 }
 
-async function drag(page, lab) {
+// What a point dragged to where the pointer was last makes of the state, by the figure's own box and rule.
+async function dragged(page, figure, name) {
+    const state = start(figure), { box: [[left, bottom], [right, top]], keep = (point) => point } = figure.points[name];
+    for (const [x, y] of await page.evaluate(() => globalThis.way)) {
+        const { origin, unit } = figure.view, at = [(x - origin[0]) / unit, (origin[1] - y) / unit];
+        state[name] = keep([Math.min(Math.max(at[0], left), right), Math.min(Math.max(at[1], bottom), top)], state);
+    }
+    return expected(figure, state);
+}
+
+// From here on the page notes where the pointer went, in units of the drawing.
+const watchPointer = (page) => page.evaluate(() => {
+    globalThis.way = [];
+    const note = (event) => {
+        const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(document.querySelector('.play svg').getScreenCTM().inverse());
+        if (event.buttons) globalThis.way.push([x, y]);
+    };
+    document.addEventListener('pointermove', note, true);
+});
+
+// Each point once: `move` drags the grip by some pixels. The numbers are those of the place where it was left.
+async function drag(page, figure, lab, how, move) {
+    await watchPointer(page);
     for (const grip of await page.locator('.grip').all()) {
         const name = await grip.getAttribute('data-point');
         await grip.scrollIntoViewIfNeeded();
-        const { x, y, width, height } = await grip.boundingBox(), at = [x + width / 2, y + height / 2], first = await grip.getAttribute('aria-valuetext');
-        await page.mouse.move(...at);
-        await page.mouse.down();
-        for (const step of [10, 25, 40]) await page.mouse.move(at[0] - step, at[1] + step / 2);
-        await page.mouse.up();
-        const then = await grip.getAttribute('aria-valuetext');
-        check(`${lab}: the mouse drags ${name}`, first !== then, then);
+        const { x, y, width, height } = await grip.boundingBox(), first = await grip.getAttribute('aria-valuetext');
+        const scrolled = await page.evaluate(() => { globalThis.way = []; return scrollY; });
+        await move(x + width / 2, y + height / 2);
+        const then = await grip.getAttribute('aria-valuetext'), [now, wanted] = [await numbers(page), await dragged(page, figure, name)];
+        check(`${lab}: ${how} drags ${name}`, first !== then, then);
+        check(`${lab}: the numbers where ${how} left ${name}`, same(now, wanted), `${now}, not ${wanted}`);
+        check(`${lab}: the page stays where it is`, (await page.evaluate(() => scrollY)) === scrolled);
         await page.locator('.play button').click();
     }
 }
 
-async function finger(page, lab) {
-    const grip = page.locator('.grip').first(), first = await grip.getAttribute('aria-valuetext');
-    await grip.scrollIntoViewIfNeeded();
-    const { x, y, width, height } = await grip.boundingBox(), client = await page.context().newCDPSession(page), at = [x + width / 2, y + height / 2];
-    const touch = (type, step) => client.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: at[0] + step, y: at[1] + step / 4 }] });
+const byMouse = (page) => async (x, y) => {
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (const step of [10, 25, 40]) await page.mouse.move(x - step, y + step / 2);
+    await page.mouse.up();
+};
+
+const byFinger = (client) => async (x, y) => {
+    const touch = (type, step) => client.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: x - step, y: y + step / 2 }] });
     await touch('touchStart', 0);
     for (const step of [8, 16, 24]) await touch('touchMove', step);
     await touch('touchEnd', 0);
-    check(`${lab}: a finger drags a point`, (await grip.getAttribute('aria-valuetext')) !== first);
+};
+
+// A phone: the points by a finger, and a slider by a tap on its end.
+async function touch(phone, figure, lab) {
+    await drag(phone, figure, lab, 'a finger', byFinger(await phone.context().newCDPSession(phone)));
+    const slider = phone.locator('.play input[type=range]:visible').first();
+    if (!(await slider.count())) return;
+    await slider.scrollIntoViewIfNeeded();
+    const { x, y, width, height } = await slider.boundingBox(), name = await slider.getAttribute('data-knob');
+    const most = figure.knobs[name].value < (figure.knobs[name].least + figure.knobs[name].most) / 2;
+    await phone.touchscreen.tap(x + (most ? width - 3 : 3), y + height / 2);
+    const value = Number(await slider.inputValue());
+    check(`${lab}: a tap sets ${name}`, value !== figure.knobs[name].value, String(value));
+    check(`${lab}: the numbers for ${name} = ${value}`, same(await numbers(phone), expected(figure, { ...start(figure), [name]: value })));
 }
 
-for (const [i, lab] of labs.entries()) {
+const phones = await browser.newContext({ viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true });
+for (const lab of labs) {
     const { figure } = await import(pathToFileURL(`solutions/${lab}/figure.mjs`).href), url = pathToFileURL(`${site}/${lab}.html`).href;
     const page = await open(browser, url);
     page.setDefaultTimeout(5000);
     check(`${lab}: the numbers at the start`, same(await numbers(page), expected(figure, start(figure))), String(await numbers(page)));
     await turn(page, figure, lab);
     await keys(page, lab);
-    await drag(page, lab);
+    await drag(page, figure, lab, 'the mouse', byMouse(page));
     check(`${lab}: nothing went wrong`, page.misdeeds.length === 0, page.misdeeds.join('\n    '));
     await page.context().close();
-    if (i % 4) continue; // a phone takes a while
-    const context = await browser.newContext({ viewport: { width: 390, height: 800 }, hasTouch: true, isMobile: true }), phone = await context.newPage();
+    const phone = await phones.newPage();
     await phone.goto(url);
-    await finger(phone, lab);
-    await context.close();
+    await touch(phone, figure, lab);
+    await phone.close();
 }
 
 // Real frames, where they were made: one picture at a time, with the numbers of its line.

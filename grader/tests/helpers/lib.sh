@@ -32,7 +32,7 @@ solved() {
     shift
     mkdir -p "$to"
     for lab in "${@:-03}"; do cp -r "$root"/solutions/"$lab"-* "$to"; done
-    rm -f "$to"/*/{scenes,study,rows,witness}*.[ch] "$to"/*/*.mjs # the grader's, not of the submission
+    rm -f "$to"/*/{scenes,predictions,study,rows,witness}*.[ch] "$to"/*/*.mjs # the grader's, not of the submission
     echo "$to"
 }
 

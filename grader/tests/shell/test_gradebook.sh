@@ -84,7 +84,7 @@ grep -qE '^[0-9-]+ [0-9:]+ Ann Lee_101_assignsubmission_file_: 100.00 of 100$' "
 again() { grades --class "$class" --output "$output" --resume; }
 again
 [[ $status == 0 && $out != *again* ]] && ok || bad "nothing changed: nothing is graded again" "$out"
-cp solutions/03-shadow-map/{lab.c,shadow.frag} "$class/guest/03-shadow-map"
+cp solutions/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$class/guest/03-shadow-map"
 again
 expect "another submission" 0 "graded again: 1 with another submission than when they were graded"
 is "it is graded anew" "$(row guest "lab 03")" "1|100.00"
@@ -108,7 +108,7 @@ again
 expect "another rubric, another grader" 0 "graded again: 1 with another rubric of lab 03" "graded again: 1 with another grader"
 gather
 [[ $out != *today* ]] && ok || bad "all are of one rubric again" "$out"
-cp labs/03-shadow-map/{lab.c,shadow.frag} "$class/guest/03-shadow-map"
+cp labs/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$class/guest/03-shadow-map"
 grades --class "$class" --output "$output" --only guest
 is "--only makes the tables, too" "$(row guest "lab 03")" "1|0.00"
 

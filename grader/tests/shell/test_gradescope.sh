@@ -42,7 +42,7 @@ done
 unset BOX
 
 valid() { python3 -c 'import json,sys,jsonschema; jsonschema.validate(json.load(sys.stdin), json.load(open("grader/report/gradescope.schema.json")))' 2>&1; }
-cp solutions/03-shadow-map/{lab.c,shadow.frag} "$AUTOGRADER/submission"
+cp solutions/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$AUTOGRADER/submission"
 run
 tail -1 "$work/log"
 [[ $status == 0 && $(field 'r["score"], all(t["status"] == "passed" for t in r["tests"])') == "(100.0, True)" ]] && ok || bad "files of a solution" "$out$(cat "$work/log")"
@@ -50,7 +50,7 @@ tail -1 "$work/log"
 mkdir "$AUTOGRADER/submission/03-shadow-map" && cp labs/03-shadow-map/{lab.c,shadow.frag} "$AUTOGRADER/submission/03-shadow-map"
 rm "$AUTOGRADER"/submission/*.*
 run
-[[ $status == 0 && $(field 'r["score"], len(r["tests"])') == "(0.0, 11)" ]] && ok || bad "a folder with the skeleton" "$out$(cat "$work/log")"
+[[ $status == 0 && $(field 'r["score"], len(r["tests"])') == "(0.0, 12)" ]] && ok || bad "a folder with the skeleton" "$out$(cat "$work/log")"
 [[ -z $(valid <<<"$out") && $(field '"is not done" in r["tests"][0]["output"]') == True ]] && ok || bad "causes" "$out"
 [[ $(field 'all(t["output_format"] == "html" for t in r["tests"]), any("<img" in t["output"] and "src=\"data:image/png;base64,iVBOR" in t["output"] for t in r["tests"]), len(json.dumps(r)) < 2000000') == "(True, True, True)" ]] && ok || bad "pictures" "${out:0:2000}"
 [[ -z $(valid <<<'{"score": "all", "tests": []}') ]] && bad "the schema takes a score that is no number" || ok

@@ -28,7 +28,7 @@ rm "$kit/common/leak.h"
 for file in grader/*/*.c common/*.c common/scene/*.c; do
     [[ ! -e $kit/$file ]] || cmp -s "$file" "$kit/$file" || bad "$file differs in the kit"
 done
-mkdir "$kit/build" && cp -r "$BUILD"/{grade,watch,worker,include,given} "$kit/build" && cp "$BUILD"/jail_* "$kit/build"
+mkdir "$kit/build" && cp -r "$BUILD"/{grade,watch,worker,points,include,given} "$kit/build" && cp "$BUILD"/jail_* "$kit/build"
 half=$(solved half 03)
 sed -i 's/lit \* diffuse_specular/(0.5 + 0.5 * lit) * diffuse_specular/' "$half/03-shadow-map/shadow.frag"
 mistaken=$(solved mistaken 03)
@@ -76,21 +76,52 @@ run "$kit/grader/scripts/reset" 03
 expect "reset" 0 "is the skeleton again"
 cmp -s labs/03-shadow-map/lab.c "$kit/labs/03-shadow-map/lab.c" && ok || bad "reset in the kit"
 
+# A student's methods beside recorded points. A solution errs as ours did, a lab as it was handed out errs more.
+if [[ -x $BUILD/record_study ]]; then
+    [[ -s $kit/grader/recorded/03-shadow-map/study.json ]] && ok || bad "no points are recorded" "$(cat "$work/log")"
+    chart() { run "$kit/grader/scripts/study_page" build 03 "$1"; }
+    errors() { # by which factor yours err more than ours, at least and at most
+        python3 -c 'import csv, sys
+rows = list(csv.DictReader(open(sys.argv[1])))
+ratios = [float(mine["error"]) / float(ours["error"]) for ours, mine in zip(rows[0::2], rows[1::2])]
+print(all(r["message"] == "" and float(r["ms"]) > 0 for r in rows), min(ratios) > 0.999, max(ratios) < 1.001)' "$kit/build/study-03.csv"
+    }
+    chart "$right"
+    expect "the study of a solution" 0 "your least error" "build/study-03.html: open it"
+    [[ $(errors) == "True True True" ]] && ok || bad "a solution errs as ours did: $(errors)" "$(cat "$kit/build/study-03.csv")"
+    chart labs
+    [[ $status == 0 && $(errors) == "True True False" ]] && ok || bad "a skeleton errs more: $(errors)" "$out"
+    grep -qE '(src|href)="?https?:' "$kit/build/study-03.html" && bad "the page needs no network" || ok
+    mv "$kit"/grader/recorded/03-shadow-map/study.json "$work"
+    chart labs
+    expect "a kit without points" 3 "no points of lab 03 are recorded here"
+    mv "$work/study.json" "$kit"/grader/recorded/03-shadow-map
+else
+    skip "there are no points to record (no Embree)"
+fi
+run "$kit/grader/scripts/study_page" build
+expect "the study of no lab" 2 "make study LAB=05"
+
+# Where Embree is missing the kit builds all but the truth.
+names=$(make -C "$kit" -n --no-print-directory EMBREE= programs 2>/dev/null | grep -oE ' -o build/[a-z_]+ ' | sort -u)
+[[ $names == *build/points* && $names == *build/grade* && $names != *truth_worker* ]] && ok || bad "without Embree" "$names"
+
 # Each command of make that its texts name is there; what is not is said in one line.
 in_kit() { status=0; out=$(make -C "$kit" --no-print-directory "$@" 2>&1) || status=$?; }
-named=$(cat "$kit"/README.md "$kit"/labs/*/README.md "$kit"/common/DEBUGGING.md | grep -oE '\bmake [a-z-]+( [A-Z]+=[0-9.]+)?' | sort -u | grep -vE '^make (study|even|sure|it|the|a|no|your|one|its|two|them|what|all|this|up|something|an|that)\b')
+named=$(cat "$kit"/README.md "$kit"/labs/*/README.md "$kit"/common/DEBUGGING.md | grep -oE '\bmake [a-z-]+( [A-Z]+=[0-9.]+)?' | sort -u | grep -vE '^make (even|sure|it|the|a|no|your|one|its|two|them|what|all|this|up|something|an|that)\b')
 while read -r _ target operand; do
     in_kit -n "$target" $operand
     [[ $status == 0 ]] && ok || bad "make $target is named in the kit" "$out"
 done <<<"$named"
 in_kit help
-expect "help" 0 "make watch" "make hand-in"
+expect "help" 0 "make watch" "make hand-in" "make study LAB=05"
 [[ $out != *mutants* && $out != *"make demo"* ]] && ok || bad "help lists what is not there" "$out"
 in_kit demo
 expect "a teacher's target" 2 "make demo is not in this kit; make help lists what is"
 grep -q '^| \[13 ' "$kit/README.md" && ! grep -q '@LABS@' "$kit/README.md" && ok || bad "the table of labs in the kit's README" "$(cat "$kit/README.md")"
 [[ -s $kit/grader/recorded/03-shadow-map/afterword.json && -z $(find "$kit/labs" -name 'afterword*') ]] && ok || bad "what is told after the lab"
 grep -qE -- '--mistake|--skeleton' "$kit"/grader/recorded/*/pictures && bad "pictures of what is not the student's" || ok
+grep -q "New variants" "$kit/README.md" && ok || bad "how new variants are had"
 grep -q "make watch" "$kit/README.md" && ! grep -qE 'build/grade --class|make demo' "$kit/README.md" && ok || bad "the kit's README"
 in_kit hand-in LAB=03
 expect "hand in" 0 "build/lab-03.tar.gz" "03-shadow-map/lab.c" "still to do: TODO(3.1)"
@@ -98,5 +129,15 @@ grade=$root/$BUILD/grade
 grades --lab 03 --seed 2 --trusted "$kit/build/lab-03.tar.gz"
 expect "what was packed is graded" 1 "0.00 of 100 points"
 [[ $out != *"! "* ]] && ok || bad "what was packed is whole" "$out"
+
+# In a folder with spaces and letters that are not ASCII.
+mv "$kit" "$work/Schatten-Übung (neu)" && kit="$work/Schatten-Übung (neu)"
+grade=$kit/build/grade
+grades --lab 03 --seed 2 --trusted "$right"
+expect "a folder with spaces" 0 "100.00 of 100 points"
+if [[ -x $BUILD/record_study ]]; then
+    run "$kit/grader/scripts/study_page" build 03 "$right"
+    expect "the study there" 0 "your least error"
+fi
 
 finish

@@ -34,7 +34,7 @@ refused "a quote" "not \"a'b\"" LAB="$n" NAME="a'b"
 runs make new-lab LAB="$n" NAME="soft edges"
 expect "a new lab" 0 "solutions/$lab is there" "rows $((100 * n + 1))" "mistakes.json" "at least 16"
 [[ $(git status --porcelain | sort | xargs) == "?? labs/$lab/ ?? solutions/$lab/" ]] && ok || bad "only new folders" "$(git status --porcelain)"
-[[ $(ls "labs/$lab" | xargs) == "README.md lab.c lamp-and-surface.svg picture.png shade.frag" ]] && ok || bad "what students get" "$(ls "labs/$lab")"
+[[ $(ls "labs/$lab" | xargs) == "README.md lab.c lamp-and-surface.svg picture.png predictions.txt shade.frag" ]] && ok || bad "what students get" "$(ls "labs/$lab")"
 runs build/grade --lab "$id" --seed 1 --trusted "solutions/$lab"
 expect "the solution" 0 "100.00 of 100 points"
 runs build/grade --lab "$id" --seed 1 --trusted labs

@@ -87,6 +87,9 @@ refuses "a knob that chooses" 'frame: the knob "method" takes a whole number fro
     "$bin/frame" --lab 05 --scene "table spot" out.png --knob method=1.5
 refuses "a knob of a submission" 'frame: the knob "map size" takes a number from 64 to 4096, not 1e+06' "${frame[@]}" \
     --submission "$root/labs/03-shadow-map" --knob "map size=1000000"
+refuses "no such fineness" "--fine takes a number from 1 to 4, not" "${frame[@]}" --fine 5
+refuses "no such colours" "--colors takes own or quiet, not" "${frame[@]}" --colors loud
+refuses "too fine" "--fine 4 makes the picture larger than 4096 pixels" "${frame[@]}" --size 1100x20 --fine 4
 refuses "an abbreviation" "--seed takes a whole number" "$bin/frame" --see x
 refuses "a wrong option before a right one" "--seed takes" "$bin/grade" --seed x --seed 1 "$root/labs"
 refuses "behind --" "--lab is not a folder" "$bin/grade" -- --lab
@@ -119,6 +122,16 @@ for lab in 3 03; do
 done
 cmp -s "$work/3.png" "$work/03.png" && ok || bad "frame --lab 3"
 [[ -s $work/exams-3/03-shadow-map/rubric.json ]] && diff -r "$work"/exams-{3,03} >"$work/out" && ok || bad "record_exams --lab 3" "$(cat "$work/out")"
+# A fine picture is the mean of a large one, by another program; quiet colours change nothing else of the scene.
+table=("$bin/frame" --lab 03 --scene "table spot")
+"${table[@]}" --size 192x144 "$work/large.png" && "${table[@]}" --size 64x48 --fine 3 "$work/fine.png" || bad "frame --fine"
+off=$(convert "$work/large.png" -scale 64x48! "$work/fine.png" -compose difference -composite -depth 8 -format '%[fx:round(255*maxima)]' info:)
+[[ $off == [01] ]] && ok || bad "the mean of nine pixels is off by $off"
+for view in picture "shadow map"; do
+    "${table[@]}" --size 64x48 --view "$view" "$work/plain.png" && "${table[@]}" --size 64x48 --view "$view" --colors quiet "$work/calm.png" || bad "frame --colors quiet"
+    cmp -s "$work/plain.png" "$work/calm.png"
+    [[ $? == $([[ $view == picture ]] && echo 1 || echo 0) ]] && ok || bad "quiet colours and the $view"
+done
 
 # Scripts.
 for script in "$scripts"/*; do

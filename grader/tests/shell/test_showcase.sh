@@ -35,9 +35,9 @@ for n, data in enumerate(re.findall(r'src="data:image/png;base64,([^"]*)"', open
 PYTHON
 first=$(head -1 solutions/03-*/pictures)
 eval "words=(${first#* })"
-"$root/$BUILD/frame" --lab 03 "${words[@]}" --size 640x480 --submission "$labs/03-shadow-map" "$work/own.png"
+"$root/$BUILD/frame" --lab 03 --colors quiet --fine 2 "${words[@]}" --size 800x600 --submission "$labs/03-shadow-map" "$work/own.png"
 cmp -s "$work/own.png" "$work/shown-0.png" && ok || bad "the student's own picture"
-"$root/$BUILD/frame" --lab 03 "${words[@]}" --size 640x480 "$work/ours.png"
+"$root/$BUILD/frame" --lab 03 --colors quiet --fine 2 "${words[@]}" --size 800x600 "$work/ours.png"
 cmp -s "$work/ours.png" "$work/shown-0.png" && bad "ours in its place" || ok
 has "soft shadows: lab.c does not compile"
 for text in '{' '[]' '{"labs": 3}'; do

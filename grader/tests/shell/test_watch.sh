@@ -38,6 +38,10 @@ type 'stty -a >before; build/watch --lab 04 --seed 1' Enter
 # Task by task: each save is noticed, the points rise, the next task is named with its place and a hint.
 sees "the skeleton is graded" "Task 4\.1  labs/04-acne-and-bias/[a-z.]+:[0-9]+"
 sees "the first hint stands there from the start" "Hint 1 of 3"
+sees "predictions are asked for" "Predict first: labs/04-acne-and-bias/predictions\.txt \(5 points\)"
+sheet=$(grep -oE '^sheet [0-9]+' labs/04-*/predictions.txt)
+[[ -n $sheet && $(grep -c '^[abc] ?$' labs/04-*/predictions.txt) == 3 ]] && ok || bad "a sheet is drawn" "$(cat labs/04-*/predictions.txt)"
+cmp -s labs/05-*/predictions.txt "$root"/labs/05-*/predictions.txt && ok || bad "a sheet for a lab that nobody came to"
 before=$(points)
 for task in 4.1 4.2 4.3 4.4; do
     build/skeletons "$work/upto" "$task" >/dev/null
@@ -47,6 +51,10 @@ for task in 4.1 4.2 4.3 4.4; do
     ((now > before)) && ok || bad "task $task: $now points after $before" "$out"
     before=$now
 done
+sed -i 's/^a ?/a 1e999/' labs/04-*/predictions.txt
+sees "what is no number is told" "a: 1e999 is beyond all numbers"
+cp solutions/04-*/predictions.txt labs/04-*/
+sees "a save of the predictions is noticed" "Predictions: 5 of 5 points"
 cp solutions/04-*/*.{c,frag} labs/04-*/
 sees "the lab is done" "Lab 04 is done: 100 of 100 points"
 sees "how to go on" "This lab is done\. n goes on to lab 05"
@@ -67,7 +75,7 @@ type r; sees "no window: says so" "there is no window: build/view was not built"
 printf '#!/bin/sh\necho "$*" >%s/view\necho "view: no display" >&2\nexit 1\n' "$work" >build/view
 chmod +x build/view
 type r; sees "the window's own words when it fails" "the window has ended: view: no display"
-[[ $(cat "$work/view") == "--lab 05" ]] && ok || bad "the window gets the lab" "$(cat "$work/view")"
+[[ $(cat "$work/view") =~ ^--lab\ 05(\ --check\ 5\.[0-9]+)?$ ]] && ok || bad "the window gets the lab" "$(cat "$work/view")"
 
 # What does not compile; points that were there stay. A save in another lab brings it to the desk.
 echo 'int x = ;' >>labs/05-pcf/lab.c

@@ -77,6 +77,20 @@ lines=$(compare -metric AE "$work/wanted.png" "$work/frustum.png" null: 2>&1) te
 status=0 out=$("$view" --lab 03 --light moon 2>&1) || status=$?
 expect "another light" 2 "takes frustum or texels"
 
+# The check that a watch opens the window on.
+shot --check 3.1
+cp "$work/shot.png" "$work/check.png"
+read -r of view_of < <(python3 -c 'import json, sys
+check = next(c for c in json.load(open(sys.argv[1]))["checks"] if c["task"] == "3.1")
+scene = check["scene"] if isinstance(check["scene"], str) else check["scene"][0]
+print(scene.replace(" ", "_"), check["view"].replace(" ", "_"))' "$root/solutions/03-shadow-map/rubric.json")
+shot --scene "${of//_/ }" --view "${view_of//_/ }" --knob "map size=$(python3 -c 'import json, sys
+knob = next(c for c in json.load(open(sys.argv[1]))["checks"] if c["task"] == "3.1").get("knobs", {}).get("map size", 512)
+print(knob[0] if isinstance(knob, list) else knob)' "$root/solutions/03-shadow-map/rubric.json")"
+same "$work/check.png" "$work/shot.png" && ok || bad "a check's scene, view and knobs"
+shot --check 3.99
+expect "a check of no task" 1 'lab 03 has no check of a task "3.99"'
+
 # Keys, also before there is a frame; another size while the truth is drawn.
 open_window
 keys x g g

@@ -1,0 +1,229 @@
+// record_study: measures our labs in the scenes of the study, quickly, and records what a kit without
+// solutions needs to hold a student's lab against them (points/README.md).
+#include "base/command_line.h"
+#include "base/option_values.h"
+#include "base/places.h"
+#include "base/statistics.h"
+#include "scene/check.h"
+#include "study/study_scene.h"
+#include "study/views.h"
+
+#include <jansson.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { WIDTH = 320, HEIGHT = 240, FRAMES = 5 };
+
+typedef struct RecordStudy {
+    char lab[3];
+    const char *output;
+} RecordStudy;
+
+typedef struct Recorder {
+    LabArtist artist;
+    StudyView view; // the first one
+    const StudyScene *scene;
+    char folder[FILES_PATH]; // where the lab's files go
+    bool has_truth;
+} Recorder;
+
+// What a student's lab can do too: no rays of ours, and no more than a choice that a shader fixes.
+static bool is_wanted(const Method *method, const char *lab) {
+    return strcmp(method->lab, lab) == 0 && !method->rays &&
+           (!method->change || method->change->edit_count == 1);
+}
+
+static bool time_frames(Recorder *recorder, const Painter *painter, const Setting *setting, double *median) {
+    static Reply reply;
+    static Image image;
+    Setting seen = *setting;
+    double times[FRAMES] = {0};
+    seen.view = VIEW_PICTURE;
+    Request request = truth_view_request(&recorder->view.truth_view, &seen);
+    bool ok = true;
+    for (int i = -1; ok && i < FRAMES; i++) { // the first one makes the lab's resources
+        ok = painters_draw(&recorder->artist.roster, painter, &request, &image, &reply);
+        for (int pass = 0; i >= 0 && pass < LAB_MAX_PASSES; pass++)
+            times[i] += (double)reply.milliseconds[pass];
+    }
+    *median = statistics_median(times, FRAMES);
+    return ok;
+}
+
+static void place(char path[FILES_PATH], const Recorder *recorder, const char *end) {
+    char name[96];
+    snprintf(name, sizeof name, "study-%s.%s", recorder->scene->name, end);
+    files_join(path, recorder->folder, name);
+}
+
+static bool write_truth(const Recorder *recorder, const uint8_t *mask) {
+    char path[FILES_PATH];
+    Image truth;
+    if (!image_create(&truth, WIDTH, HEIGHT))
+        return false;
+    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
+        const long light = lrintf(65535 * fminf(fmaxf(recorder->view.truth_view.visibility[i], 0), 1));
+        truth.rgba[4 * i] = (uint8_t)(light >> 8);
+        truth.rgba[4 * i + 1] = (uint8_t)(light & 255);
+        truth.rgba[4 * i + 2] = mask[i] ? 255 : 0;
+    }
+    place(path, recorder, "png");
+    const bool ok = image_write_png(&truth, path);
+    image_destroy(&truth);
+    return ok;
+}
+
+static bool write_scene(const Recorder *recorder) {
+    char path[FILES_PATH];
+    place(path, recorder, "scene");
+    FILE *file = fopen(path, "wb");
+    const Scene *scene = &recorder->view.truth_view.truth.scene;
+    bool ok = file && fwrite(scene, sizeof *scene, 1, file) == 1;
+    ok = file && fclose(file) == 0 && ok;
+    return ok || check_fail("%s cannot be written", path);
+}
+
+static json_t *pack_point(const Method *method, double error, double milliseconds) {
+    json_t *knobs = json_object();
+    for (int i = 0; i < method->setting.knob_count; i++)
+        json_object_set_new(knobs, method->setting.knobs[i].name,
+                            json_real((double)method->setting.knobs[i].value));
+    json_t *point =
+        json_pack("{s:s, s:s, s:s, s:o, s:f, s:f}", "family", method->family, "name", method->name, "view",
+                  method->setting.view, "knobs", knobs, "error", error, "ms", milliseconds);
+    const Edit *edit = method->change ? &method->change->edits[0] : NULL;
+    if (edit)
+        json_object_set_new(
+            point, "edit",
+            json_pack("{s:s, s:s, s:s}", "file", edit->file, "find", edit->find, "replace", edit->replace));
+    return point;
+}
+
+static bool record_method(Recorder *recorder, const Method *method, json_t *points) {
+    Measured frame = {0};
+    double milliseconds = 0;
+    bool ok =
+        lab_artist_change(&recorder->artist, method->change) &&
+        truth_view_measure(&recorder->view.truth_view, &recorder->artist, &method->setting, true, &frame) &&
+        time_frames(recorder, recorder->artist.painter, &method->setting, &milliseconds);
+    if (ok && !recorder->has_truth)
+        ok = recorder->has_truth = write_truth(recorder, frame.mask) && write_scene(recorder);
+    if (ok)
+        json_array_append_new(points, pack_point(method, frame.metrics.all.mae, milliseconds));
+    measured_destroy(&frame);
+    return ok;
+}
+
+// The lab as it is handed out is what other machines time, too.
+static bool time_yardstick(Recorder *recorder, double *milliseconds) {
+    const Setting plain = {.view = VIEW_PICTURE, .object = TRUTH_NONE};
+    const Painter *skeleton = painters_get(&recorder->artist.roster, (Solved){SOLVED_NONE, NULL}, NULL);
+    return skeleton && time_frames(recorder, skeleton, &plain, milliseconds);
+}
+
+// Pixels of one object alone are those of all methods of a scene, or the truth's mask would not be one.
+static bool record_methods(Recorder *recorder, const MethodList *list, const char *lab, json_t *points) {
+    int object = 0;
+    bool ok = true;
+    for (int i = 0; ok && i < list->count; i++) {
+        const Method *method = &list->methods[i];
+        if (!is_wanted(method, lab) || (json_array_size(points) > 0 && method->setting.object != object))
+            continue;
+        object = method->setting.object;
+        ok = record_method(recorder, method, points);
+    }
+    return ok;
+}
+
+static bool record_scene(Recorder *recorder, const StudyScene *scene, const char *lab, json_t *scenes) {
+    static MethodList list;
+    StudyScene still = *scene;
+    double yardstick = 0;
+    json_t *points = json_array();
+    still.moves = false;
+    recorder->scene = scene;
+    recorder->has_truth = false;
+    study_add_methods(&list, scene);
+    bool ok = view_create(&recorder->view, &still, 0, (MetricsSize){WIDTH, HEIGHT}, recorder->folder,
+                          &recorder->artist) &&
+              record_methods(recorder, &list, lab, points) && time_yardstick(recorder, &yardstick);
+    view_destroy(&recorder->view);
+    if (ok && json_array_size(points) > 0)
+        json_array_append_new(scenes, json_pack("{s:s, s:s, s:f, s:O}", "name", scene->name, "title",
+                                                scene->title, "yardstick", yardstick, "points", points));
+    json_decref(points);
+    return ok;
+}
+
+static bool concerns(const StudyScene *scene, const char *lab) {
+    static MethodList list;
+    study_add_methods(&list, scene);
+    for (int i = 0; i < list.count; i++)
+        if (is_wanted(&list.methods[i], lab))
+            return true;
+    return false;
+}
+
+static bool write_study(const Recorder *recorder, json_t *scenes) {
+    char path[FILES_PATH];
+    files_join(path, recorder->folder, "study.json");
+    json_t *root = json_pack("{s:i, s:i, s:O}", "width", WIDTH, "height", HEIGHT, "scenes", scenes);
+    const bool ok = root && json_dump_file(root, path, JSON_INDENT(1)) == 0;
+    json_decref(root);
+    return ok || check_fail("%s cannot be written", path);
+}
+
+static bool record_lab(const RecordStudy *command) {
+    static Recorder recorder;
+    char ours[FILES_PATH];
+    json_t *scenes = json_array();
+    bool ok = places_find_lab(ours, command->lab);
+    files_join(recorder.folder, command->output, strrchr(ours, '/') + 1);
+    check_append(recorder.folder, sizeof recorder.folder, "/");
+    ok = ok && files_make_folder(recorder.folder) &&
+         lab_artist_open_measured(&recorder.artist, command->lab, CONTEXT_ANY);
+    for (int i = 0; ok && study_scene(i); i++)
+        if (concerns(study_scene(i), command->lab))
+            ok = record_scene(&recorder, study_scene(i), command->lab, scenes);
+    if (ok && json_array_size(scenes) > 0)
+        ok = write_study(&recorder, scenes);
+    lab_artist_close(&recorder.artist);
+    json_decref(scenes);
+    return ok;
+}
+
+static const Option options[] = {{"lab", 0, "NN", "the lab", offsetof(RecordStudy, lab), option_lab}, {0}};
+
+static bool check(void *settings, const Operands *operands) {
+    RecordStudy *command = settings;
+    command->output = operands->texts[0];
+    return command->lab[0] || check_fail("--lab NN is needed");
+}
+
+static const CommandLine command_line = {
+    .program = "record_study",
+    .forms = "--lab NN OUTPUT",
+    .about =
+        "Records times and errors of a lab's methods in the folder OUTPUT/NN-name, for the students' kit. A\n"
+        "lab without methods in the study leaves nothing there.\n",
+    .options = options,
+    .operand = "OUTPUT",
+    .least = 1,
+    .most = 1,
+    .check = check,
+};
+
+int main(int count, char **arguments) {
+    static RecordStudy command;
+    ContextKind drawing = CONTEXT_ANY; // it stays so: only who asks for EGL gets a GPU's times
+    command_line_take(&command_line, &command, count, arguments);
+    command_line_settle_context(&command_line, &drawing);
+    signal(SIGPIPE, SIG_IGN);
+    if (record_lab(&command))
+        return 0;
+    fprintf(stderr, "record_study: %s\n", check_message());
+    return 3;
+}
