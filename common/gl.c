@@ -19,6 +19,9 @@ static bool refused;
 static unsigned long first_error_place;
 static GLuint last_framebuffer; // the last one bound that is not 0
 
+typedef void(GLAD_API_PTR *BindMany)(GLuint first, GLsizei count, const GLuint *names);
+static BindMany bind_textures, bind_samplers; // of OpenGL 4.4; NULL: the driver is older
+
 static const char *error_name(GLenum error) {
     switch (error) {
     case GL_INVALID_ENUM:
@@ -86,6 +89,8 @@ static bool is_bound(GLenum binding) {
 // OSMesa has a default framebuffer, of one pixel, and EGL without a surface has none: what draws into it or
 // reads from it is the same error by both routes.
 static bool misses_framebuffer(const char *name) {
+    if (!strchr("BCDMR", name[2])) // by which the names below go on behind "gl"
+        return false;
     const bool blits = begins_with(name, "glBlit");
     const bool draws = blits || (begins_with(name, "glDraw") && !begins_with(name, "glDrawBuffer")) ||
                        begins_with(name, "glMultiDraw") || strcmp(name, "glClear") == 0 ||
@@ -148,6 +153,9 @@ bool gl_load(GLADloadfunc load) {
     if (version < GLAD_MAKE_VERSION(4, 1))
         return check_fail("this context offers OpenGL %d.%d; 4.1 core is needed (install Mesa's llvmpipe)",
                           GLAD_VERSION_MAJOR(version), GLAD_VERSION_MINOR(version));
+    const bool has_many = version >= GLAD_MAKE_VERSION(4, 4);
+    bind_textures = has_many ? (BindMany)load("glBindTextures") : NULL;
+    bind_samplers = has_many ? (BindMany)load("glBindSamplers") : NULL;
     gl_subroutines_guard();
     gladSetGLPreCallback(before_call);
     gladSetGLPostCallback(after_call);
@@ -171,6 +179,14 @@ void gl_clear_error(void) {
     first_error_place = 0;
     first_error[0] = '\0';
     refused = false;
+}
+
+bool gl_unbind_textures(GLuint units) {
+    if (!bind_textures || !bind_samplers)
+        return false;
+    bind_textures(0, (GLsizei)units, NULL);
+    bind_samplers(0, (GLsizei)units, NULL);
+    return true;
 }
 
 void gl_forget_framebuffer(void) {

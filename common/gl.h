@@ -27,5 +27,9 @@ unsigned long gl_caller(void *const *frames, int count);
 // last one that was bound. The message names `what` and the reason.
 bool gl_check_framebuffer(const char *what);
 
+// Unbinds all textures and samplers of the first `units` units, by two calls of OpenGL 4.4. False: the driver
+// has not got them.
+bool gl_unbind_textures(GLuint units);
+
 // From now on no framebuffer counts as the last one that was bound.
 void gl_forget_framebuffer(void);

@@ -1,12 +1,13 @@
 // Puts back each state of OpenGL 4.1 that a lab can leave changed, group after group, to what the standard
-// says a new context has.
+// says a new context has. Hundreds of calls, several times a frame, of which none can fail: straight to the
+// driver, and only the last one asks for errors.
 #include "gl_state.h"
 
 #include "scene/count.h"
 
 static GLuint limit_of(GLenum name) {
     GLint value = 0;
-    glGetIntegerv(name, &value);
+    glad_glGetIntegerv(name, &value);
     return value > 0 ? (GLuint)value : 0;
 }
 
@@ -17,19 +18,18 @@ static void end_what_runs(void) {
     glad_glEndConditionalRender(); // an error where none runs, which nothing can ask
     glad_glGetError();
     if (limit_of(GL_TRANSFORM_FEEDBACK_BUFFER_ACTIVE))
-        glEndTransformFeedback();
+        glad_glEndTransformFeedback();
     for (unsigned i = 0; i < COUNT(targets); i++) {
         bool indexed = i >= 3;
         for (GLuint stream = 0; stream < (indexed ? limit_of(GL_MAX_VERTEX_STREAMS) : 1); stream++) {
             GLint query = 0;
-            glGetQueryIndexediv(targets[i], stream, GL_CURRENT_QUERY, &query);
+            glad_glGetQueryIndexediv(targets[i], stream, GL_CURRENT_QUERY, &query);
             if (query)
-                glEndQueryIndexed(targets[i], stream);
+                glad_glEndQueryIndexed(targets[i], stream);
         }
     }
 }
 
-// Some hundred calls of which none can fail: straight to the driver.
 static void unbind_textures(void) {
     static const GLenum targets[] = {GL_TEXTURE_1D,
                                      GL_TEXTURE_2D,
@@ -43,13 +43,16 @@ static void unbind_textures(void) {
                                      GL_TEXTURE_2D_MULTISAMPLE,
                                      GL_TEXTURE_2D_MULTISAMPLE_ARRAY};
     const GLuint units = limit_of(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS);
+    glad_glActiveTexture(GL_TEXTURE0);
+    if (gl_unbind_textures(units))
+        return;
     for (GLuint unit = 0; unit < units; unit++) {
         glad_glActiveTexture(GL_TEXTURE0 + unit);
         for (unsigned i = 0; i < COUNT(targets); i++)
             glad_glBindTexture(targets[i], 0);
         glad_glBindSampler(unit, 0);
     }
-    glActiveTexture(GL_TEXTURE0);
+    glad_glActiveTexture(GL_TEXTURE0);
 }
 
 static void unbind_buffers(void) {
@@ -59,21 +62,21 @@ static void unbind_buffers(void) {
     const GLuint uniform = limit_of(GL_MAX_UNIFORM_BUFFER_BINDINGS);
     const GLuint feedback = limit_of(GL_MAX_TRANSFORM_FEEDBACK_BUFFERS);
     for (unsigned i = 0; i < COUNT(targets); i++)
-        glBindBuffer(targets[i], 0);
+        glad_glBindBuffer(targets[i], 0);
     for (GLuint i = 0; i < uniform; i++)
-        glBindBufferBase(GL_UNIFORM_BUFFER, i, 0);
+        glad_glBindBufferBase(GL_UNIFORM_BUFFER, i, 0);
     for (GLuint i = 0; i < feedback; i++)
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, i, 0);
+        glad_glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, i, 0);
 }
 
 static void unbind_objects(void) {
-    glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
-    glUseProgram(0);
-    glBindProgramPipeline(0);
-    glBindVertexArray(0);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glad_glBindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
+    glad_glUseProgram(0);
+    glad_glBindProgramPipeline(0);
+    glad_glBindVertexArray(0);
+    glad_glBindFramebuffer(GL_FRAMEBUFFER, 0);
     gl_forget_framebuffer();
-    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    glad_glBindRenderbuffer(GL_RENDERBUFFER, 0);
     unbind_buffers();
     unbind_textures();
 }
@@ -101,11 +104,11 @@ static void switch_all(void) {
                                  GL_TEXTURE_CUBE_MAP_SEAMLESS};
     static const GLenum on[] = {GL_DEPTH_TEST, GL_CULL_FACE, GL_DITHER, GL_MULTISAMPLE};
     for (unsigned i = 0; i < COUNT(off); i++)
-        glDisable(off[i]);
+        glad_glDisable(off[i]);
     for (GLuint i = 0; i < limit_of(GL_MAX_CLIP_DISTANCES); i++)
-        glDisable(GL_CLIP_DISTANCE0 + i);
+        glad_glDisable(GL_CLIP_DISTANCE0 + i);
     for (unsigned i = 0; i < COUNT(on); i++)
-        glEnable(on[i]);
+        glad_glEnable(on[i]);
 }
 
 static void reset_pixel_store(void) {
@@ -115,57 +118,57 @@ static void reset_pixel_store(void) {
                                   GL_UNPACK_ROW_LENGTH,  GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_ROWS,
                                   GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES};
     for (unsigned i = 0; i < COUNT(zero); i++)
-        glPixelStorei(zero[i], 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
+        glad_glPixelStorei(zero[i], 0);
+    glad_glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glad_glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glad_glClampColor(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
 }
 
 static void reset_geometry(void) {
-    glPatchParameteri(GL_PATCH_VERTICES, 3);
-    glPatchParameterfv(GL_PATCH_DEFAULT_OUTER_LEVEL, (float[]){1, 1, 1, 1});
-    glPatchParameterfv(GL_PATCH_DEFAULT_INNER_LEVEL, (float[]){1, 1});
-    glPrimitiveRestartIndex(0);
-    glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
+    glad_glPatchParameteri(GL_PATCH_VERTICES, 3);
+    glad_glPatchParameterfv(GL_PATCH_DEFAULT_OUTER_LEVEL, (float[]){1, 1, 1, 1});
+    glad_glPatchParameterfv(GL_PATCH_DEFAULT_INNER_LEVEL, (float[]){1, 1});
+    glad_glPrimitiveRestartIndex(0);
+    glad_glProvokingVertex(GL_LAST_VERTEX_CONVENTION);
     for (GLuint i = 0; i < limit_of(GL_MAX_VERTEX_ATTRIBS); i++)
-        glVertexAttrib4f(i, 0, 0, 0, 1);
-    glViewport(0, 0, 0, 0); // of all viewports, as the next two
-    glScissor(0, 0, 0, 0);
-    glDepthRange(0, 1);
+        glad_glVertexAttrib4f(i, 0, 0, 0, 1);
+    glad_glViewport(0, 0, 0, 0); // of all viewports, as the next two
+    glad_glScissor(0, 0, 0, 0);
+    glad_glDepthRange(0, 1);
 }
 
 static void reset_rasterizer(void) {
-    glCullFace(GL_BACK);
-    glFrontFace(GL_CCW);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    glPolygonOffset(0, 0);
-    glLineWidth(1);
-    glPointSize(1);
-    glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 1);
-    glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_UPPER_LEFT);
-    glSampleCoverage(1, GL_FALSE);
-    glMinSampleShading(0);
+    glad_glCullFace(GL_BACK);
+    glad_glFrontFace(GL_CCW);
+    glad_glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glad_glPolygonOffset(0, 0);
+    glad_glLineWidth(1);
+    glad_glPointSize(1);
+    glad_glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 1);
+    glad_glPointParameteri(GL_POINT_SPRITE_COORD_ORIGIN, GL_UPPER_LEFT);
+    glad_glSampleCoverage(1, GL_FALSE);
+    glad_glMinSampleShading(0);
     for (GLuint i = 0; i < limit_of(GL_MAX_SAMPLE_MASK_WORDS); i++)
-        glSampleMaski(i, ~0u);
+        glad_glSampleMaski(i, ~0u);
     static const GLenum hints[] = {GL_FRAGMENT_SHADER_DERIVATIVE_HINT, GL_LINE_SMOOTH_HINT,
                                    GL_POLYGON_SMOOTH_HINT, GL_TEXTURE_COMPRESSION_HINT};
     for (unsigned i = 0; i < COUNT(hints); i++)
-        glHint(hints[i], GL_DONT_CARE);
+        glad_glHint(hints[i], GL_DONT_CARE);
 }
 
 static void reset_fragments(void) {
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); // of all draw buffers, as the blending
-    glStencilMask(~0u);                              // of both faces
-    glStencilFunc(GL_ALWAYS, 0, ~0u);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
-    glBlendFunc(GL_ONE, GL_ZERO);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendColor(0, 0, 0, 0);
-    glLogicOp(GL_COPY);
-    glClearColor(0, 0, 0, 1);
-    glClearDepth(1);
+    glad_glDepthFunc(GL_LESS);
+    glad_glDepthMask(GL_TRUE);
+    glad_glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE); // of all draw buffers, as the blending
+    glad_glStencilMask(~0u);                              // of both faces
+    glad_glStencilFunc(GL_ALWAYS, 0, ~0u);
+    glad_glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    glad_glBlendFunc(GL_ONE, GL_ZERO);
+    glad_glBlendEquation(GL_FUNC_ADD);
+    glad_glBlendColor(0, 0, 0, 0);
+    glad_glLogicOp(GL_COPY);
+    glad_glClearColor(0, 0, 0, 1);
+    glad_glClearDepth(1);
     glClearStencil(0);
 }
 

@@ -14,6 +14,9 @@ ROOMS := $(filter-out programs tests $(if $(EMBREE),,$(ON_TRUTH)) $(if $(GLFW),,
 LIBS = $(shell pkg-config --libs $(PACKAGES) $(GLFW)) $(EMBREE:%=-l%) -lpthread -lm -ldl
 
 objects = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1)))
+# The jail's own objects stand alone, and without a sanitizer: they lie in the worker, too, which forks into a jail.
+inside = $(call objects,grader/jail/inside/$(1)*.c)
+SECCOMP := $(if $(findstring /,$(shell $(CC) -print-file-name=libseccomp.a)),-l:libseccomp.a,-lseccomp)
 GLAD := $(patsubst %,$(BUILD)/glad/%.o,gl egl)
 # What a lab brings along lies in its folder: scenes*.c, predictions*.c, and study*.c, rows*.c and witness*.c where their rooms are. In a kit, which has
 # no solutions, scenes and predictions lie elsewhere. Each file is told its lab, and the name of the table that it may define.
@@ -66,7 +69,7 @@ $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(call objects,grader/window/*.c grader/programs/view.c): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
-$(BUILD)/grader/score/score.o: CFLAGS += -O3 # the vectors halve what a picture costs
+$(BUILD)/grader/score/score.o $(BUILD)/grader/worker/quantise.o: CFLAGS += -O3 # the vectors halve what a picture costs
 
 $(BUILD)/$(OURS)/%.o: ALL_CFLAGS += $(LAB_FLAGS)
 # The list of the tables of one kind, in the order of the labs. A file without a table helps another one.
@@ -103,12 +106,12 @@ $(GIVEN): $(BUILD)/given/%/given.so: common/GIVEN common/earlier.h grader/compil
 $(BUILD)/given/exports: $(filter-out $(patsubst %.c,$(BUILD)/%.o,$(HELPERS)),$(COMMON))
 	@mkdir -p $(@D)
 	@{ echo '{'; nm -g --defined-only $^ | awk 'NF == 3 { print $$3 ";" }'; echo '};'; } >$@
-$(BUILD)/worker: $(call objects,grader/worker/*.c) $(COMMON) $(ARCHIVE) $(BUILD)/include/given.h.gch $(BUILD)/given/exports $(GIVEN)
-	$(CC) $(SANITIZE) -Wl,--dynamic-list=$(BUILD)/given/exports -o $@ $(filter %.o,$^) -Wl,--as-needed $(ARCHIVE) $(LIBS)
+$(BUILD)/worker: $(call objects,grader/worker/*.c) $(call inside,shim_) $(COMMON) $(ARCHIVE) $(BUILD)/include/given.h.gch $(BUILD)/given/exports $(GIVEN)
+	$(CC) $(SANITIZE) -Wl,--dynamic-list=$(BUILD)/given/exports -o $@ $(filter %.o,$^) -Wl,--as-needed $(ARCHIVE) $(LIBS) $(SECCOMP)
 # The same for a lab that is compiled with AddressSanitizer; empty where its library is missing.
 $(BUILD)/worker_address: $(BUILD)/worker
 	@$(if $(SANITIZE),false,$(CC) -fsanitize=address -Wl,--dynamic-list=$(BUILD)/given/exports -o $@ $(call objects,grader/worker/*.c) \
-		$(COMMON) -Wl,--as-needed $(ARCHIVE) $(LIBS)) 2>$@.said || : >$@
+		$(call inside,shim_) $(COMMON) -Wl,--as-needed $(ARCHIVE) $(LIBS) $(SECCOMP)) 2>$@.said || : >$@
 	@rm -f $@.said
 $(TESTS): $(BUILD)/%: $(BUILD)/grader/tests/c/%.o $(call objects,grader/tests/helpers/*.c) $(ARCHIVE)
 	$(call LINK,$(filter %.o,$^)) -lcmocka
@@ -118,8 +121,7 @@ $(WITNESSES): $(call objects,grader/tests/helpers/*.c) $(ARCHIVE)
 $(BUILD)/hostile: $(BUILD)/grader/tests/programs/hostile.o $(ARCHIVE)
 	$(call LINK,$<)
 
-inside = $(call objects,grader/jail/inside/$(1)*.c)
-$(INSIDE) $(WEAK) $(BUILD)/without: override SANITIZE :=
+$(INSIDE) $(WEAK) $(BUILD)/without $(call inside,): override SANITIZE :=
 $(BUILD)/jail_shim: $(call inside,shim)
 	$(CC) $(STATIC) -o $@ $^ -lseccomp
 $(WEAK): $(BUILD)/weak_%: $(BUILD)/grader/tests/programs/weak_%.o $(call inside,shim)

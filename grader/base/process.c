@@ -38,35 +38,48 @@ static bool make_pipes(int pipes[3][2]) {
     return true;
 }
 
-bool process_start(Process *process, char *const *arguments, char *const *environment, const char *folder,
-                   const ProcessLimits *limits) {
+bool process_open(Process *process, int theirs[3], const ProcessLimits *limits) {
     enum { INPUT, OUTPUT, REPLIES };
     int pipes[3][2];
     memset(process, 0, sizeof *process);
     if (!make_pipes(pipes))
         return false;
-    const int theirs[3] = {pipes[INPUT][0], pipes[OUTPUT][1], pipes[REPLIES][1]};
+    theirs[0] = pipes[INPUT][0];
+    theirs[1] = pipes[OUTPUT][1];
+    theirs[2] = pipes[REPLIES][1];
     prctl(PR_SET_CHILD_SUBREAPER, 1); // what its death leaves behind becomes our child: see collect
-    pid_t parent = getpid();
-    process->pid = fork();
-    if (process->pid == 0)
-        process_child_run(theirs, arguments, environment, folder, limits, parent);
-    for (int i = 0; i < 3; i++)
-        close(theirs[i]);
     process->input = pipes[INPUT][1];
     process->output = pipes[OUTPUT][0];
     process->replies = pipes[REPLIES][0];
     process->deadline = process_now() + limits->wall_seconds;
     process->resident_mib = limits->resident_mib;
     fcntl(process->input, F_SETFL, O_NONBLOCK);
-    if (process->pid > 0) {
-        if (!limits->untrusted)
-            setpgid(process->pid, process->pid);
+    return true;
+}
+
+bool process_opened(Process *process, const int theirs[3], pid_t pid) {
+    const int why = errno;
+    for (int i = 0; i < 3; i++)
+        close(theirs[i]);
+    process->pid = pid > 0 ? pid : 0;
+    if (pid > 0)
         return true;
-    }
-    process->pid = 0;
     process_stop(process);
-    return check_fail("no child process: %s", strerror(errno));
+    return check_fail("no child process: %s", strerror(why));
+}
+
+bool process_start(Process *process, char *const *arguments, char *const *environment, const char *folder,
+                   const ProcessLimits *limits) {
+    int theirs[3];
+    const pid_t parent = getpid();
+    if (!process_open(process, theirs, limits))
+        return false;
+    const pid_t pid = fork();
+    if (pid == 0)
+        process_child_run(theirs, arguments, environment, folder, limits, parent);
+    if (pid > 0 && !limits->untrusted)
+        setpgid(pid, pid);
+    return process_opened(process, theirs, pid);
 }
 
 // Takes what the process prints: the first PROCESS_OUTPUT bytes are kept, the rest only counted.

@@ -43,6 +43,12 @@ typedef struct Process {
 bool process_start(Process *process, char *const *arguments, char *const *environment, const char *folder,
                    const ProcessLimits *limits);
 
+// The same in two steps, for a child of ours that somebody else forks: our ends and its descriptors 0, 1 and
+// 3, of which the second step, with its number, closes ours. Below 1: there is none; a message, and all is
+// freed.
+bool process_open(Process *process, int theirs[3], const ProcessLimits *limits);
+bool process_opened(Process *process, const int theirs[3], pid_t pid);
+
 // Sends `request` and reads exactly reply_size bytes. False when the process ended, timed out or flooded
 // before.
 bool process_exchange(Process *process, const void *request, size_t request_size, void *reply,

@@ -18,7 +18,7 @@ static void set_limit(int resource, rlim_t value) {
         setrlimit((__rlimit_resource_t)resource, &(struct rlimit){value, value});
 }
 
-static void set_limits(const ProcessLimits *limits) {
+void process_child_limit(const ProcessLimits *limits) {
     const rlim_t mib = 1024 * 1024;
     if (limits->cpu_seconds) // the soft limit says SIGXCPU, the hard one SIGKILL
         setrlimit(RLIMIT_CPU, &(struct rlimit){limits->cpu_seconds, limits->cpu_seconds + 1});
@@ -58,7 +58,7 @@ _Noreturn void process_child_run(const int ends[3], char *const *arguments, char
         dprintf(STDERR_FILENO, "%s cannot be entered: %s\n", folder, strerror(errno));
         _exit(127);
     }
-    set_limits(limits);
+    process_child_limit(limits);
     execvpe(arguments[0], arguments, environment);
     dprintf(STDERR_FILENO, "%s cannot be started: %s\n", arguments[0], strerror(errno));
     _exit(127);

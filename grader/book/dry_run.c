@@ -17,7 +17,7 @@
 
 enum { NOTE = 600 };
 
-typedef struct Look {
+typedef struct HandInLook {
     const Table *table;
     const Book *book;
     const Jail *jail;
@@ -25,7 +25,7 @@ typedef struct Look {
     bool all_attempts;
     int fresh, again, kept, strange;
     bool needs_look; // the hand-in at hand
-} Look;
+} HandInLook;
 
 // Names of files may be any bytes.
 static void say(const char *text, void *context) {
@@ -35,14 +35,14 @@ static void say(const char *text, void *context) {
     free(shown);
 }
 
-static void warn(Look *look, const char *text) {
+static void warn(HandInLook *look, const char *text) {
     char *shown = printable_name(text);
     printf("      ! %s\n", shown);
     free(shown);
     look->needs_look = true;
 }
 
-static void print_time(const Look *look, int i, const HandInFacts *facts, time_t *time) {
+static void print_time(const HandInLook *look, int i, const HandInFacts *facts, time_t *time) {
     static const char *const by[CLOCK_COUNT] = {"", "by the list", "by its name",
                                                 "by the files' times, which a student can set"};
     char text[BOOK_TIME_TEXT];
@@ -56,7 +56,7 @@ static void print_time(const Look *look, int i, const HandInFacts *facts, time_t
 }
 
 // The files that would be taken, under the names that they have there; what is wrong with one of them.
-static void print_files(Look *look, const Rubric *rubric, const char *folder) {
+static void print_files(HandInLook *look, const Rubric *rubric, const char *folder) {
     char found[FIND_FILE_NAME];
     int count = 0;
     for (int f = 0; f < rubric->file_count; f++)
@@ -80,7 +80,7 @@ static void print_files(Look *look, const Rubric *rubric, const char *folder) {
 }
 
 // False when nothing of the lab was found.
-static bool print_lab(Look *look, const Submission *submission, int n, time_t time) {
+static bool print_lab(HandInLook *look, const Submission *submission, int n, time_t time) {
     const RunSettings *plan = look->table->plan;
     char note[NOTE];
     const char *folder = submission_find_of(submission, plan->labs[n], plan->lab_count, note, sizeof note);
@@ -98,7 +98,7 @@ static bool print_lab(Look *look, const Submission *submission, int n, time_t ti
     return true;
 }
 
-static void print_missing(Look *look, const Submission *submission, const bool *found) {
+static void print_missing(HandInLook *look, const Submission *submission, const bool *found) {
     const RunSettings *plan = look->table->plan;
     char text[NOTE + FILES_PATH], names[COURSE_MAX_LABS * 4 + 1] = "";
     int missing = 0;
@@ -116,7 +116,7 @@ static void print_missing(Look *look, const Submission *submission, const bool *
 }
 
 // False with a message when we or the machine are to blame.
-static bool print_labs(Look *look, int i, time_t time) {
+static bool print_labs(HandInLook *look, int i, time_t time) {
     static Submission submission; // too large for a stack
     const Roster *roster = look->table->roster;
     bool made = false, found[COURSE_MAX_LABS] = {false};
@@ -139,7 +139,7 @@ static bool print_labs(Look *look, int i, time_t time) {
     return opened != EXTRACT_FAULT;
 }
 
-static void print_plan(Look *look, int i, const HandInFacts *facts) {
+static void print_plan(HandInLook *look, int i, const HandInFacts *facts) {
     const Table *table = look->table;
     char why[ORIGIN_TEXT];
     if (!table_is_graded(table, i)) {
@@ -155,7 +155,7 @@ static void print_plan(Look *look, int i, const HandInFacts *facts) {
            why);
 }
 
-static bool print_hand_in(Look *look, int i) {
+static bool print_hand_in(HandInLook *look, int i) {
     const RosterEntry *entry = &look->table->roster->entries[i];
     const BookRow *row = &look->book->rows[i];
     const HandInFacts facts = hand_in_facts(look->table->roster, entry);
@@ -179,7 +179,7 @@ static bool print_hand_in(Look *look, int i) {
     return true;
 }
 
-static void print_rest(const Look *look, int count) {
+static void print_rest(const HandInLook *look, int count) {
     const Roster *roster = look->table->roster;
     int missing = 0;
     for (int i = 0; i < roster->ignored_count; i++)
@@ -198,7 +198,7 @@ static void print_rest(const Look *look, int count) {
     puts(". Nothing was graded or written.");
 }
 
-static bool print_all(Look *look, const ClassSettings *settings) {
+static bool print_all(HandInLook *look, const ClassSettings *settings) {
     const Roster *roster = look->table->roster;
     const int count = settings->only ? settings->only_count : roster->count;
     for (int k = 0; k < count; k++) {
@@ -222,10 +222,10 @@ bool dry_run_print(const Table *table, const ClassSettings *settings, void *cont
     DryRun *run = context;
     Jail jail = {0};
     Book book = {0};
-    Look look = {.table = table,
-                 .book = &book,
-                 .all_attempts = settings->all_attempts,
-                 .rubrics = calloc(COURSE_MAX_LABS, sizeof(Rubric))};
+    HandInLook look = {.table = table,
+                       .book = &book,
+                       .all_attempts = settings->all_attempts,
+                       .rubrics = calloc(COURSE_MAX_LABS, sizeof(Rubric))};
     INVARIANT(look.rubrics);
     temporary_on_signals();
     const bool ok =

@@ -36,13 +36,35 @@ static void sweep(const char *output) {
     check_clear();
 }
 
+// Where temporary files went before the run; NULL: nobody said.
+static char *place_before;
+static bool moved;
+
+static bool move_to(const char *path) {
+    const char *place = getenv("TMPDIR");
+    place_before = place ? strdup(place) : NULL;
+    moved = setenv("TMPDIR", path, 1) == 0;
+    return moved;
+}
+
+// What comes after the run needs temporary files, too.
+static void move_back(void) {
+    if (!moved)
+        return;
+    if (!place_before || setenv("TMPDIR", place_before, 1) != 0)
+        unsetenv("TMPDIR");
+    free(place_before);
+    place_before = NULL;
+    moved = false;
+}
+
 bool run_folder_create(const char *output) {
     char link[FILES_PATH], path[FILES_PATH];
     sweep(output);
     files_join(link, output, "work");
     if (!files_make_temporary(path))
         return false;
-    bool ok = chmod(path, 0711) == 0 && symlink(path, link) == 0 && setenv("TMPDIR", path, 1) == 0;
+    bool ok = chmod(path, 0711) == 0 && symlink(path, link) == 0 && move_to(path);
     if (!ok) {
         check_fail("%s cannot be made: %s", link, strerror(errno));
         files_remove(path);
@@ -52,4 +74,5 @@ bool run_folder_create(const char *output) {
 
 void run_folder_destroy(const char *output) {
     sweep(output);
+    move_back();
 }

@@ -115,14 +115,15 @@ static double distance_to(const CheckResult *check, int n, const Image *ours, co
 // Sum of the distances to the mistake in one check; INFINITY when it is not near; below 0: ours cannot draw.
 static double distance_in(const CheckResult *check, int m, int c, Exam *exam, double *to_reference) {
     double sum = 0, reference = 0;
-    for (int n = 0; n < check->check->variants; n++) {
+    for (int n = 0; n < check->check->variants; n++)
+        reference += distance_to(check, n, &exam->variants[c][n].reference, &exam->variants[c][n].facts);
+    *to_reference += reference;
+    for (int n = 0; n < check->check->variants && sum <= NEAR * reference; n++) {
         const Image *theirs = exam_mistake(exam, m, c, n);
         if (!theirs)
             return -1;
-        reference += distance_to(check, n, &exam->variants[c][n].reference, &exam->variants[c][n].facts);
         sum += distance_to(check, n, theirs, &exam->mistakes[m][c][n].facts);
     }
-    *to_reference += reference;
     return sum <= NEAR * reference ? sum : INFINITY;
 }
 

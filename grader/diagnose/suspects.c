@@ -3,6 +3,7 @@
 
 #include "exam/exam_matrix.h"
 
+#include <limits.h>
 #include <string.h>
 
 // What speaks against a task. One that is not done shows in more checks than one that is done nearly right,
@@ -31,11 +32,12 @@ typedef struct Costs {
     int fails, passes;
 } Costs;
 
-// Weighs which checks fail here against which of them fail so. False when ours cannot draw.
+// Weighs which checks fail here against which of them fail so; ends sooner where the weight comes to `most`.
+// False when ours cannot draw.
 static bool compare(Evidence *evidence, const LabResult *result, Exam *exam, const bool failed[],
-                    Entry *entry, int number, Costs costs) {
+                    Entry *entry, int number, Costs costs, int most) {
     *evidence = (Evidence){0};
-    for (int c = 0; c < result->check_count; c++) {
+    for (int c = 0; c < result->check_count && evidence->weight < most; c++) {
         if (!failed[c] && !result->checks[c].passed)
             continue;
         const ExamEntry so = entry(exam, number, c);
@@ -63,14 +65,15 @@ static bool weigh(Evidence *evidence, int t, const LabResult *result, Exam *exam
     const Rubric *rubric = exam->rubric;
     const char *task = rubric->hints[t].task;
     const Costs undone = {UNDONE_FAILS, known->placed ? UNDONE_PASSES_PLACED : UNDONE_PASSES};
-    if (!compare(evidence, result, exam, failed, exam_without_task, t, undone))
+    if (!compare(evidence, result, exam, failed, exam_without_task, t, undone, INT_MAX))
         return false;
     for (int m = 0; m < rubric->mistake_count && !evidence->certain; m++) {
         Evidence mistake;
+        const int most = evidence->explains ? evidence->weight : INT_MAX; // from here on it fits no better
         if (!rubric->mistakes[m].task || strcmp(rubric->mistakes[m].task, task) != 0)
             continue;
         if (!compare(&mistake, result, exam, failed, exam_with_mistake, m,
-                     (Costs){MISTAKE_MISFITS, MISTAKE_MISFITS}))
+                     (Costs){MISTAKE_MISFITS, MISTAKE_MISFITS}, most))
             return false;
         take_better(evidence, &mistake);
     }

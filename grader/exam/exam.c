@@ -20,7 +20,7 @@ float exam_milliseconds(const Reply *reply) {
 }
 
 static bool scores(const Image *picture, const Variant *variant) {
-    return score_frame(picture, &variant->reference, &variant->without, &variant->skeleton).share > 0;
+    return score_is_any(picture, &variant->reference, &variant->without, &variant->skeleton);
 }
 
 static bool trivial_scores(const Variant *variant) {
@@ -61,6 +61,7 @@ static bool draw_variant(Variant *variant, const Trio *trio, char renderer[128])
         return false;
     memcpy(renderer, reply.renderer, sizeof reply.renderer);
     variant->facts = reply.facts;
+    variant->milliseconds = exam_milliseconds(&reply);
     return reply.drawn ||
            check_fail("our own solution in %s draws nothing: %s", trio->solution->folder, reply.message);
 }

@@ -15,7 +15,8 @@ typedef struct Variant {
     const char *scene; // its name; the rubric's
     Request request;
     Image reference, without, skeleton;
-    FrameFacts facts; // of the reference
+    FrameFacts facts;   // of the reference
+    float milliseconds; // that the solution took for it; 0: not known
 } Variant;
 
 // One more picture of a variant, kept once it was asked for.
@@ -37,7 +38,6 @@ typedef struct Exam {
     Variant variants[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]; // which of the drawn variants each one is, from 0
     char renderer[128];
-    float milliseconds[RUBRIC_MAX_CHECKS]; // of the solution in a check's last variant; 0: not measured yet
     LatePicture mistakes[EXAM_MAX_MISTAKES][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     LatePicture partials[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS];
     ExamEntry without_task[EXAM_MAX_TASKS][RUBRIC_MAX_CHECKS]; // see exam_matrix.h

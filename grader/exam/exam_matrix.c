@@ -13,6 +13,9 @@ static ExamEntry draw_entry(Exam *exam, int t, int c) {
     static Reply reply;
     const Solved solved = {SOLVED_ALL_BUT, exam->rubric->hints[t].task};
     const Painter *painter = exam->painters ? painters_get(exam->painters, solved, NULL) : NULL;
+    // Of a check about this very task no variant was taken in which it would pass.
+    if (painter && rubric_task_index(exam->rubric, exam->rubric->checks[c].task) == t)
+        return EXAM_FAILS;
     Image picture = {0};
     ExamEntry entry = painter ? EXAM_PASSES : EXAM_UNKNOWN;
     for (int n = 0; entry == EXAM_PASSES && n < exam->rubric->checks[c].variants; n++) {

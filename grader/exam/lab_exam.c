@@ -1,3 +1,5 @@
+// Draws a lab's exam when it is needed, or before that in a thread, and forgets it when another seed is asked
+// for.
 #include "exam/lab_exam.h"
 
 #include "scene/check.h"
@@ -8,6 +10,7 @@
 #include "predict/predictions.h"
 #include "scene/random.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 bool lab_exam_open(LabExam *examiner, const char *id) {
@@ -39,21 +42,74 @@ static bool draw_exam(LabExam *examiner, Exam *exam, const GradeOptions *options
     return false;
 }
 
-Exam *lab_exam_exam(LabExam *examiner, const GradeOptions *options) {
-    if (examiner->exam && examiner->seed == options->seed)
-        return examiner->exam;
-    forget_pictures(examiner);
-    examiner->painters.rubric = &examiner->rubric;
-    examiner->painters.context = options->context;
+static Exam *make_exam(LabExam *examiner, const GradeOptions *options) {
     Exam *exam = calloc(1, sizeof *exam);
     INVARIANT(exam);
     if (handed_out_alone() ? exam_file_load(exam, &examiner->rubric, options->seed)
-                           : draw_exam(examiner, exam, options)) {
-        examiner->seed = options->seed;
-        return examiner->exam = exam;
-    }
+                           : draw_exam(examiner, exam, options))
+        return exam;
     free(exam);
     return NULL;
+}
+
+static void prepare(LabExam *examiner, const GradeOptions *options) {
+    forget_pictures(examiner);
+    examiner->painters.rubric = &examiner->rubric;
+    examiner->painters.context = options->context;
+}
+
+static void *make_early(void *context) {
+    LabExam *examiner = context;
+    examiner->early.exam = make_exam(examiner, &examiner->early.options);
+    snprintf(examiner->early.why, sizeof examiner->early.why, "%.599s", check_message());
+    return NULL;
+}
+
+void lab_exam_begin(LabExam *examiner, const GradeOptions *options) {
+    EarlyExam *early = &examiner->early;
+    if (early->running || handed_out_alone() || (examiner->exam && examiner->seed == options->seed))
+        return;
+    prepare(examiner, options);
+    // The worker dies with the thread that has started it: so that is ours.
+    early->options = *options;
+    early->running = painters_start(&examiner->painters) &&
+                     pthread_create(&early->thread, NULL, make_early, examiner) == 0;
+    check_clear();
+}
+
+// The exam that was begun, once it is drawn; NULL: it could not be.
+static Exam *wait_early(EarlyExam *early) {
+    pthread_join(early->thread, NULL);
+    Exam *exam = early->exam;
+    early->exam = NULL;
+    early->running = false;
+    return exam;
+}
+
+// What it is still drawing is not waited for: its worker is told that the time is over.
+static void forget_early(LabExam *examiner) {
+    if (!examiner->early.running)
+        return;
+    examiner->painters.client.process.cancelled = true;
+    Exam *exam = wait_early(&examiner->early);
+    if (exam)
+        exam_destroy(exam);
+    free(exam);
+    worker_client_stop(&examiner->painters.client);
+}
+
+Exam *lab_exam_exam(LabExam *examiner, const GradeOptions *options) {
+    if (examiner->early.running && examiner->early.options.seed == options->seed) {
+        examiner->exam = wait_early(&examiner->early);
+        if (!examiner->exam)
+            check_fail("%s", examiner->early.why);
+    } else if (!examiner->exam || examiner->seed != options->seed) {
+        forget_early(examiner);
+        prepare(examiner, options);
+        examiner->exam = make_exam(examiner, options);
+    }
+    examiner->seed = options->seed;
+    return examiner->exam;
 }
 
 void lab_exam_rest(LabExam *examiner) {
@@ -61,6 +117,7 @@ void lab_exam_rest(LabExam *examiner) {
 }
 
 void lab_exam_forget(LabExam *examiner) {
+    forget_early(examiner);
     forget_pictures(examiner);
     painters_destroy(&examiner->painters);
 }

@@ -3,6 +3,7 @@
 
 #include "exam/exam.h"
 
+#include <pthread.h>
 #include <stdbool.h>
 
 struct LabResult;
@@ -22,12 +23,22 @@ typedef struct GradeOptions {
     bool evidence; // keep pictures of what failed in the result
 } GradeOptions;
 
+// An exam that a thread draws while something else is done.
+typedef struct EarlyExam {
+    bool running;
+    pthread_t thread;
+    GradeOptions options;
+    Exam *exam;    // what it has drawn; NULL: nothing,
+    char why[600]; // for this reason
+} EarlyExam;
+
 typedef struct LabExam {
     Rubric rubric;
     Painters painters;
     Exam *exam;    // NULL until it is first needed
     uint64_t seed; // that it was asked for
     bool control;  // the solution has come out of the jail as it must: see grade/control.h
+    EarlyExam early;
 } LabExam;
 
 // Reads the rubric of the lab "03". False with a message.
@@ -37,6 +48,11 @@ bool lab_exam_open(LabExam *examiner, const char *id);
 // that gives too few variants stands for another one, made from it. Ours until one of another seed is asked
 // for, or until lab_exam_forget or lab_exam_close. NULL with a message.
 Exam *lab_exam_exam(LabExam *examiner, const GradeOptions *options);
+
+// Begins to draw that exam beside what the caller does next; lab_exam_exam takes it, and nothing else of this
+// header may be called before, but what forgets it. Without it lab_exam_exam draws it. Does nothing where
+// there is nothing to draw.
+void lab_exam_begin(LabExam *examiner, const GradeOptions *options);
 
 // Stops what draws the exam until a picture is wanted that it has not got: it holds some 200 MiB a lab.
 void lab_exam_rest(LabExam *examiner);

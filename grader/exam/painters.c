@@ -13,7 +13,7 @@ static bool same_task(Solved a, Solved b) {
     return a.which == b.which && (a.task == b.task || (a.task && b.task && strcmp(a.task, b.task) == 0));
 }
 
-static bool ensure_worker(Painters *painters) {
+bool painters_start(Painters *painters) {
     if (painters->client.started)
         return true;
     painters->client = (WorkerClient){.folder = "-",
@@ -32,7 +32,7 @@ const Painter *painters_get(Painters *painters, Solved solved, const Change *cha
     Painter *painter = calloc(1, sizeof *painter);
     INVARIANT(painter);
     *painter = (Painter){.solved = solved, .change = change};
-    if (!ensure_worker(painters) || !lab_folder_ours(painter->folder, painters->rubric, solved, change)) {
+    if (!painters_start(painters) || !lab_folder_ours(painter->folder, painters->rubric, solved, change)) {
         free(painter);
         return NULL;
     }
@@ -103,6 +103,8 @@ bool painters_fit(Painters *painters) {
     static Request request;
     static Reply reply;
     static Description lab;
+    if (painters->fits)
+        return true;
     if (!rubric_fit_sources(painters->rubric))
         return false;
     const Painter *solution = painters_get(painters, (Solved){SOLVED_ALL, NULL}, NULL);
@@ -113,7 +115,7 @@ bool painters_fit(Painters *painters) {
               (int)sizeof request.folder);
     if (worker_client_describe(&painters->client, &request, &lab, &reply) != DRAW_OK)
         return check_fail("our own lab in %s does not say what it is: %s", solution->folder, reply.message);
-    return rubric_fit_lab(painters->rubric, &lab);
+    return painters->fits = rubric_fit_lab(painters->rubric, &lab);
 }
 
 void painters_destroy(Painters *painters) {
@@ -123,4 +125,5 @@ void painters_destroy(Painters *painters) {
     for (int i = 0; i < painters->reset_count; i++)
         free_reset(painters->resets[i]);
     painters->count = painters->reset_count = 0;
+    painters->fits = false;
 }

@@ -33,7 +33,11 @@ typedef struct Painters {
     int count;
     Reset *resets[EXAM_MAX_RESETS]; // made when first asked for; owned
     int reset_count;
+    bool fits; // painters_fit has found so
 } Painters;
+
+// Starts the worker, unless it runs. False with a message.
+bool painters_start(Painters *painters);
 
 // The lab with these tasks solved and this change, ready to draw. NULL with a message when it cannot be
 // built.
@@ -48,7 +52,7 @@ const Painter *painters_reset(Painters *painters, const Parts *parts, int p, int
 bool painters_draw(Painters *painters, const Painter *painter, const Request *request, Image *image,
                    Reply *reply);
 
-// Does the rubric fit the lab and its sources (rubric_fit.h)? Asks the solution. False with a message.
+// Does the rubric fit the lab and its sources (rubric_fit.h)? Asks the solution, once. False with a message.
 bool painters_fit(Painters *painters);
 
 void painters_destroy(Painters *painters); // accepts a zeroed painters

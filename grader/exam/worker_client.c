@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "base/context_choice.h"
 #include "compile/compiler.h"
+#include "exam/nursery_client.h"
 #include "protocol/description.h"
 #include "base/places.h"
 #include "scene/count.h"
@@ -45,6 +46,12 @@ static int add_driver_settings(char **environment, int count, int most) {
     return count;
 }
 
+// A nursery's children are all of one kind.
+static bool can_be_forked(const WorkerClient *client) {
+    return client->trust == TRUST_NOBODY && client->jail && client->quick_shaders && !client->program &&
+           !client->address && !client->each_turn && !client->hardware;
+}
+
 bool worker_client_start(WorkerClient *client) {
     char worker[FILES_PATH], shaders[FILES_PATH], cache[FILES_PATH], cache_setting[FILES_PATH + 32];
     if (client->program) // of ours, and outside
@@ -68,6 +75,8 @@ bool worker_client_start(WorkerClient *client) {
     int variables = 6;
     if (client->quick_shaders)
         environment[variables++] = "GALLIVM_PERF=nopt";
+    if (client->quick_shaders && !ours)
+        environment[variables++] = "LP_NATIVE_VECTOR_WIDTH=128";
     if (client->hardware)
         add_driver_settings(environment, variables, MOST_VARIABLES);
     else
@@ -89,7 +98,9 @@ bool worker_client_start(WorkerClient *client) {
         plan.limits.resident_mib = MEMORY_MIB;
     }
     client->greeted = false;
-    client->started = known && jail_start(client->jail, &plan, &client->process, arguments, environment);
+    client->started = known && ((can_be_forked(client) && nursery_start(client->jail, client->context, &plan,
+                                                                        &client->process, environment)) ||
+                                jail_start(client->jail, &plan, &client->process, arguments, environment));
     client->fault = !client->started;
     return client->started;
 }

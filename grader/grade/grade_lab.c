@@ -77,26 +77,14 @@ static bool draw_check(LabResult *result, WorkerClient *student, const Exam *exa
     return worker_client_restart(student);
 }
 
-// The first frame of a check pays for what the driver compiles late: the last one is compared. What the
-// solution takes is measured once an exam.
-static float solution_milliseconds(Exam *exam, int c) {
-    static Reply reply;
-    Image again = {0};
+// The first frame of a check pays for what the driver compiles late: the last one is compared.
+static float solution_milliseconds(const Exam *exam, int c) {
     int order[EXAM_MAX_VARIANTS];
     exam_order(exam, c, order);
-    const Variant *variant = &exam->variants[c][order[exam->rubric->checks[c].variants - 1]];
-    const Painter *solution =
-        exam->milliseconds[c] > 0 ? NULL : painters_get(exam->painters, (Solved){SOLVED_ALL, NULL}, NULL);
-    bool ok = solution != NULL;
-    for (int i = 0; ok && i < 2; i++) // the student's worker has just drawn a frame of this size, too
-        ok = painters_draw(exam->painters, solution, &variant->request, &again, &reply);
-    if (ok)
-        exam->milliseconds[c] = exam_milliseconds(&reply);
-    image_destroy(&again);
-    return exam->milliseconds[c];
+    return exam->variants[c][order[exam->rubric->checks[c].variants - 1]].milliseconds;
 }
 
-static void add_ratio(Ratios *ratios, float milliseconds, Exam *exam, int c) {
+static void add_ratio(Ratios *ratios, float milliseconds, const Exam *exam, int c) {
     float ours = milliseconds > 0 ? solution_milliseconds(exam, c) : 0;
     if (ours > 0)
         ratios->values[ratios->count++] = milliseconds / ours;
@@ -174,7 +162,8 @@ static bool is_to_blame(const LabResult *result, LabExam *examiner, Exam *exam, 
 
 static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
                     const GradeOptions *options) {
-    worker_client_start(student);
+    if (!student->started)
+        worker_client_start(student);
     Exam *exam = lab_exam_exam(examiner, options);
     if (!exam)
         return false;
@@ -208,6 +197,8 @@ bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, con
     grade_begin(result, &examiner->rubric);
     if (!files_make_temporary(student.folder))
         return false;
+    if (!options->jail) // it reads nothing yet; what is lent to a jail's user must be there before
+        worker_client_start(&student);
     bool ok = predictions_take(&result->predictions, &examiner->rubric, submission) &&
               take_submission(result, &student, &examiner->rubric, submission);
     if (result->message[0])

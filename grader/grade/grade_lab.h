@@ -8,8 +8,7 @@
 #include <stdbool.h>
 
 // Draws the exam's frames with the student's worker and scores them; the frames stay in the result, which
-// grade_begin has prepared. Timed: the solution draws the last frame of each check again, once an exam, to
-// compare their times.
+// grade_begin has prepared. Timed: their times are compared with those of the solution.
 void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool timed);
 
 // Draws and scores check c alone, and says whether it passes; the result, which grade_begin has prepared,

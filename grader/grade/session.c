@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "exam/nursery_client.h"
 #include "grade/attempt.h"
 #include "grade/found_lab.h"
 #include "intake/submission.h"
@@ -40,6 +41,11 @@ bool session_add(Session *session, const char *id) {
     return adding.ok;
 }
 
+void session_begin(Session *session) {
+    if (session->lab_count == 1 && !session->attempts)
+        lab_exam_begin(&session->examiners[0], &session->options);
+}
+
 static bool begin_report(Session *session, Report *report) {
     const Jail *jail = session->options.jail;
     *report = (Report){.seed = session->options.seed,
@@ -66,6 +72,8 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
         return true;
     LabResult *result = &report->labs[report->lab_count++];
     if (theirs) {
+        if (!session->keep)
+            lab_exam_begin(examiner, &session->options);
         ok = grade_lab(result, examiner, theirs, &session->options);
         grade_warn(result, note);
     } else {
@@ -124,4 +132,5 @@ void session_close(Session *session) {
     for (int i = 0; i < session->lab_count; i++)
         lab_exam_close(&session->examiners[i]);
     session->lab_count = 0;
+    nursery_stop();
 }

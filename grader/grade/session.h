@@ -18,6 +18,9 @@ typedef struct Session {
 // Adds the lab "03"; with NULL all labs. False with a message.
 bool session_add(Session *session, const char *id);
 
+// Begins to draw what the submission will be held against, where that is known already: one lab, one seed.
+void session_begin(Session *session);
+
 // Grades a folder or an archive (see submission.h). With one lab, a folder of which nothing tells of which
 // lab it is is graded as that. The report must be freed by session_free. False with a message: a fault of
 // ours, and no report.

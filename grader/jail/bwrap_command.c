@@ -119,3 +119,13 @@ void bwrap_command_make(BwrapCommand *command, const Jail *jail, const JailPlan 
     for (int i = 0; arguments[i]; i++)
         add(command, arguments[i]);
 }
+
+void bwrap_command_nursery(BwrapCommand *command, const Jail *jail, char *const *arguments) {
+    command->count = 0;
+    for (int i = 0; arguments[i]; i++)
+        add(command, arguments[i]);
+    for (int i = 0; i < SYSTEM_PATHS; i++)
+        if (system_paths[i].kind == JAIL_DRAW && access(system_paths[i].path, F_OK) == 0)
+            add(command, system_paths[i].path);
+    add(command, jail->stage);
+}

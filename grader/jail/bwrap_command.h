@@ -11,6 +11,10 @@ typedef struct BwrapCommand {
     char shim[FILES_PATH], links[4][64];
 } BwrapCommand;
 
+// Writes `arguments` and behind them the paths of the system and of ours that a process which draws may see:
+// for a nursery.
+void bwrap_command_nursery(BwrapCommand *command, const Jail *jail, char *const *arguments);
+
 // Writes the command line that runs `arguments` in the jail as `plan` says.
 void bwrap_command_make(BwrapCommand *command, const Jail *jail, const JailPlan *plan,
                         char *const *arguments);

@@ -42,7 +42,7 @@ static int lend_entry(const char *path, const struct stat *info, int type, struc
 
 // The user inside gets the folders by his group; the writable one, which is empty, becomes his. The stage is
 // everybody's already, and its programs must stay so.
-static bool lend(const Jail *jail, const JailPlan *plan) {
+bool jail_lend(const Jail *jail, const JailPlan *plan) {
     if (!jail->user || strcmp(plan->folder, jail->stage) == 0)
         return true;
     lent_to = jail->user;
@@ -61,8 +61,8 @@ bool jail_start(const Jail *jail, const JailPlan *plan, Process *process, char *
     limits.untrusted = true;
     limits.user = jail->user;
     bwrap_command_make(&command, jail, plan, arguments);
-    bool ok = lend(jail, plan) && process_start(process, command.arguments, environment,
-                                                jail->route == JAIL_BWRAP ? "/" : plan->folder, &limits);
+    bool ok = jail_lend(jail, plan) && process_start(process, command.arguments, environment,
+                                                     jail->route == JAIL_BWRAP ? "/" : plan->folder, &limits);
     process->wrapped = ok && jail->route == JAIL_BWRAP;
     return ok;
 }

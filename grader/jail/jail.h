@@ -19,6 +19,10 @@ bool jail_parse_route(JailRoute *route, const char *name);
 
 void jail_destroy(Jail *jail); // accepts a zeroed jail
 
+// Hands the plan's folders to the user inside, where the grader is root. False with a message. For who starts
+// something in the jail in another way than jail_start.
+bool jail_lend(const Jail *jail, const JailPlan *plan);
+
 // Starts arguments[0] in the jail like process_start. As root, hands the plan's folders to the user inside.
 // With a NULL jail it starts the program outside, in plan->folder, with the plan's limits: for what is our
 // own.

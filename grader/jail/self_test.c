@@ -34,7 +34,8 @@ static bool ground_create(Ground *ground) {
             check_fail("%s: %s", ground->base, strerror(errno)));
 }
 
-static bool start_probe(const Jail *jail, const Ground *ground, JailKind kind, Process *process) {
+static bool start_probe(const Jail *jail, const Ground *ground, JailKind kind, StartInJail *start,
+                        Process *process) {
     char probe[FILES_PATH], solutions[FILES_PATH], pid[16];
     jail_part(jail, "jail_probe", probe);
     places_path(solutions, "solutions");
@@ -53,7 +54,7 @@ static bool start_probe(const Jail *jail, const Ground *ground, JailKind kind, P
                      .limits = {.wall_seconds = 10, .cpu_seconds = 5, .memory_mib = 2048, .file_mib = 1},
                      .folder = ground->in,
                      .writable = kind == JAIL_TOOLS ? ground->out : NULL};
-    return jail_start(jail, &plan, process, arguments, environment);
+    return start(jail, &plan, process, arguments, environment);
 }
 
 // The probe prints a line for each attack that got through, and "probed" at its end.
@@ -68,15 +69,15 @@ static bool judge(const Process *process, JailKind kind) {
                       first > 0 ? process->text : "the self-test says nothing");
 }
 
-bool self_test(const Jail *jail) {
+static bool try_kinds(const Jail *jail, int first, int count, StartInJail *start) {
     static Process processes[2];
     static const JailKind kinds[2] = {JAIL_DRAW, JAIL_TOOLS};
     Ground ground;
     memset(processes, 0, sizeof processes);
     bool ok = ground_create(&ground);
-    for (int i = 0; ok && i < 2; i++)
-        ok = start_probe(jail, &ground, kinds[i], &processes[i]);
-    for (int i = 0; ok && i < 2; i++) {
+    for (int i = first; ok && i < first + count; i++)
+        ok = start_probe(jail, &ground, kinds[i], start, &processes[i]);
+    for (int i = first; ok && i < first + count; i++) {
         process_wait(&processes[i]);
         ok = judge(&processes[i], kinds[i]);
     }
@@ -84,4 +85,12 @@ bool self_test(const Jail *jail) {
         process_stop(&processes[i]);
     files_remove(ground.base);
     return ok;
+}
+
+bool self_test_of(const Jail *jail, JailKind kind, StartInJail *start) {
+    return try_kinds(jail, kind == JAIL_TOOLS, 1, start);
+}
+
+bool self_test(const Jail *jail) {
+    return try_kinds(jail, 0, 2, jail_start);
 }

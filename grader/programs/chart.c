@@ -130,7 +130,7 @@ typedef struct GrowingFile {
 } GrowingFile;
 
 typedef struct Output {
-    GrowingFile csv, views, page, needs;
+    GrowingFile csv, views, lines, page, needs;
     int scenes;
 } Output;
 
@@ -184,6 +184,7 @@ static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output
         return false;
     findings_csv_write(output->csv.out, &findings);
     findings_csv_views_write(output->views.out, &findings);
+    findings_csv_lines_write(output->lines.out, &findings);
     report(&findings, output->needs.out);
     return chart_page_add(output->page.out, plan, &findings, output->scenes++ == 0);
 }
@@ -201,6 +202,7 @@ static bool open_output(StudyPlan *plan, Output *output) {
         return false;
     return begin_file(&output->csv, plan->output, "chart.csv") &&
            begin_file(&output->views, plan->output, "views.csv") &&
+           begin_file(&output->lines, plan->output, "lines.csv") &&
            begin_file(&output->page, plan->output, "chart.html") &&
            begin_file(&output->needs, plan->output, "needs.txt");
 }
@@ -211,6 +213,7 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
         return false;
     findings_csv_head(output.csv.out);
     findings_csv_views_head(output.views.out);
+    findings_csv_lines_head(output.lines.out);
     for (int i = 0; study_scene(i); i++)
         if (is_wanted(command, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
@@ -219,9 +222,11 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
     bool ok = chart_page_end(output.page.out);
     ok = end_file(&output.csv) && ok;
     ok = end_file(&output.views) && ok;
+    ok = end_file(&output.lines) && ok;
     ok = end_file(&output.needs) && ok;
     ok = end_file(&output.page) && ok;
-    printf("%s: open it in a browser; chart.csv, views.csv and the pictures SCENE.svg lie beside it\n",
+    printf("%s: open it in a browser; chart.csv, views.csv, lines.csv and the pictures SCENE.svg lie beside "
+           "it\n",
            output.page.path);
     return ok;
 }

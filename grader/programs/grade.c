@@ -231,9 +231,11 @@ static int grade_submission(const GradeCommand *command) {
                                      .hidden = is_for_others(command->format),
                                      .evidence = command->output || command->format == REPORT_HTML ||
                                                  command->format == REPORT_GRADESCOPE};
-    bool ok = jail_choose(&jail, settings->route, command->trusted, "grade", &session.options.jail);
     int status = EXIT_COULD_NOT;
-    if (ok && add_labs(&session, &settings->labs) && session_grade(&session, command->submission, &report) &&
+    bool ok = add_labs(&session, &settings->labs);
+    session_begin(&session);
+    ok = ok && jail_choose(&jail, settings->route, command->trusted, "grade", &session.options.jail);
+    if (ok && session_grade(&session, command->submission, &report) &&
         write_evidence(&report, command->output) && report_print(&report, command->format, stdout))
         status = all_passed(&report) ? EXIT_ALL_PASSED : EXIT_NOT_ALL;
     else

@@ -1,7 +1,9 @@
 // scene_table: what each lab's scenes are made of, and how much the graded views need it; prints a table
-// (Markdown, for grader/proof/SCENES.md). With --power: what each object is worth to the verdicts.
+// (Markdown, for grader/proof/SCENES.md). With --power: what each object is worth to the verdicts, with
+// --changes also to the mutation test.
 #include "scene/check.h"
 #include "compile/rubric_file.h"
+#include "proof/object_worth.h"
 #include "proof/scene_needs.h"
 #include "proof/scene_power.h"
 #include "base/command_line.h"
@@ -12,13 +14,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { SEEDS = 4 };
 
 typedef struct SceneTable {
     WorkerClient worker; // draws all labs
     char lab[3];         // "": all
-    bool power, broken;
+    bool power, changes, broken;
+    ObjectWorth needless[OBJECT_WORTH_MOST]; // of one lab: what no known mistake needs
+    int needless_count;
 } SceneTable;
 
 static void print_row(const char *id, const SceneNeeds *economy) {
@@ -38,9 +43,48 @@ static void print_thing(const char *id, const char *scene, int thing, const char
     fflush(stdout);
 }
 
+// What no mistake needs waits for the changes.
+static void tell_thing(SceneTable *table, const char *id, const char *scene, int thing, const char *why) {
+    if (table->changes && !why[0] && !scene_needs_excuse(scene, thing)) {
+        INVARIANT(table->needless_count < OBJECT_WORTH_MOST);
+        table->needless[table->needless_count++] = (ObjectWorth){.scene = scene, .thing = thing};
+    } else {
+        print_thing(id, scene, thing, why);
+    }
+}
+
+static void describe_worth(char why[POWER_TEXT], const LabChanges *changes, const ObjectWorth *worth) {
+    char change[CHANGE_TEXT] = "";
+    why[0] = '\0';
+    if (worth->example >= 0)
+        lab_changes_describe(change, changes, worth->example);
+    for (char *at = change; *at; at++)
+        *at = *at == '|' ? '/' : *at; // a table's cells end there
+    if (worth->unfit)
+        snprintf(why, POWER_TEXT, "a check would not be asked");
+    else if (worth->killed > 0)
+        snprintf(why, POWER_TEXT, "%d small changes would pass, as `%.200s`", worth->killed, change);
+}
+
+static bool print_worths(SceneTable *table, const char *id) {
+    static LabChanges changes;
+    const int processes = (int)sysconf(_SC_NPROCESSORS_ONLN);
+    bool ok = table->needless_count == 0 ||
+              (lab_changes_open(&changes, id) &&
+               object_worth_find(&changes, table->needless, table->needless_count, 1, processes));
+    for (int i = 0; ok && i < table->needless_count; i++) {
+        char why[POWER_TEXT];
+        describe_worth(why, &changes, &table->needless[i]);
+        print_thing(id, table->needless[i].scene, table->needless[i].thing, why);
+    }
+    lab_changes_close(&changes);
+    table->needless_count = 0;
+    return ok;
+}
+
 // Over all seeds at most, until one needs it.
-static bool look_for_power(const char *id, const Rubric *rubric, Painters *painters, const char *scene,
-                           Exam *exams[SEEDS]) {
+static bool look_for_power(SceneTable *table, const char *id, const Rubric *rubric, Painters *painters,
+                           const char *scene, Exam *exams[SEEDS]) {
     bool ok = true;
     for (int thing = 0; ok && thing < ECONOMY_THINGS; thing++) {
         char why[POWER_TEXT] = "";
@@ -56,23 +100,23 @@ static bool look_for_power(const char *id, const Rubric *rubric, Painters *paint
                 break;
         }
         if (ok && is_there)
-            print_thing(id, scene, thing, why);
+            tell_thing(table, id, scene, thing, why);
     }
     return ok;
 }
 
-static bool print_power(const char *id, const Rubric *rubric, WorkerClient *worker) {
-    Painters painters = {.rubric = rubric, .client = *worker};
+static bool print_power(SceneTable *table, const char *id, const Rubric *rubric) {
+    Painters painters = {.rubric = rubric, .client = table->worker};
     Exam *exams[SEEDS] = {0};
     bool ok = true;
     for (int i = 0; ok && scene_name(i); i++)
-        ok = look_for_power(id, rubric, &painters, scene_name(i), exams);
+        ok = look_for_power(table, id, rubric, &painters, scene_name(i), exams);
     for (int seed = 0; seed < SEEDS; seed++) {
         if (exams[seed])
             exam_destroy(exams[seed]);
         free(exams[seed]);
     }
-    *worker = painters.client;
+    table->worker = painters.client;
     painters.client = (WorkerClient){0}; // goes on
     painters_destroy(&painters);
     return ok;
@@ -86,7 +130,7 @@ static void print_lab(const char *id, void *context) {
     if (table->lab[0] && strcmp(table->lab, id) != 0)
         return;
     int count = table->broken || !places_find_lab(folder, id) || !rubric_load(&rubric, folder) ? -1
-                : table->power ? (print_power(id, &rubric, &table->worker) ? 0 : -1)
+                : table->power ? (print_power(table, id, &rubric) && print_worths(table, id) ? 0 : -1)
                                : scene_needs_measure(economies, &rubric, &table->worker, SEEDS, 2);
     table->broken = count < 0;
     for (int i = 0; i < count; i++)
@@ -99,7 +143,16 @@ static const Option options[] = {
     {"power", 0, NULL,
      "what each object of each scene is worth: the check that would let a mistake pass without it",
      offsetof(SceneTable, power), option_flag},
+    {"changes", 0, NULL,
+     "with --power: of what no known mistake needs, which small change of the solution would pass (minutes)",
+     offsetof(SceneTable, changes), option_flag},
     {0}};
+
+static bool check(void *settings, const Operands *operands) {
+    const SceneTable *table = settings;
+    (void)operands;
+    return table->power || !table->changes || check_fail("--changes belongs to --power");
+}
 
 static const CommandLine command_line = {
     .program = "scene_table",
@@ -107,10 +160,11 @@ static const CommandLine command_line = {
     .about =
         "Prints what each lab's scenes are made of, and how much the graded views need it, as a table.\n",
     .options = options,
+    .check = check,
 };
 
 int main(int count, char **arguments) {
-    SceneTable table = {0};
+    static SceneTable table;
     ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &table, count, arguments);
     command_line_settle_context(&command_line, &context);

@@ -18,7 +18,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { EXIT_DONE, EXIT_OPEN, EXIT_FAULT = 3, LOOK_EVERY = 100, PLAIN_WIDTH = 100, SCROLL = 4 };
+enum { EXIT_DONE, EXIT_OPEN, EXIT_FAULT = 3, LOOK_EVERY = 40, PLAIN_WIDTH = 100, SCROLL = 4 };
 
 typedef struct Watch {
     LabBoard board;

@@ -4,17 +4,15 @@
 
 #include "base/pool.h"
 #include "base/progress_bar.h"
-#include "exam/lab_exam.h"
 #include "proof/equal.h"
-#include "proof/mutations.h"
-#include "proof/trial.h"
+#include "proof/lab_changes.h"
 #include "scene/check.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { TEXT = 1200, MUTANT_SECONDS = 600, TRIES = 2 };
+enum { MUTANT_SECONDS = 600, TRIES = 2 };
 
 typedef struct Fate {
     bool chosen; // by the settings
@@ -25,56 +23,30 @@ typedef struct Fate {
 
 // All changes of one lab.
 typedef struct Round {
-    LabExam examiner;
-    Court court;
-    Mutants mutants;
+    LabChanges all;
     EqualList equal;
     Fate *fates; // of the mutants
     ProgressBar bar;
     bool broken;
 } Round;
 
-// "03 lab.c:36 (3.6): 1 (place 2) -> 0"
-static void describe(char text[TEXT], const Round *round, int i) {
-    const Mutant *mutant = &round->mutants.list[i];
-    char place[32] = "";
-    if (mutant->nth > 1)
-        snprintf(place, sizeof place, " (place %d)", mutant->nth);
-    snprintf(text, TEXT, "%s %s:%d (%s): %.400s%s -> %.400s", round->examiner.rubric.id,
-             round->examiner.rubric.files[mutant->file], mutant->line, mutant->task, mutant->before, place,
-             mutant->replacement[0] ? mutant->replacement : "nothing");
-}
-
-static void list_changes(Round *round) {
-    const Rubric *rubric = &round->examiner.rubric;
-    for (int i = 0; i < rubric->file_count; i++) {
-        Source source;
-        source_read(&source, rubric->files[i], round->court.texts[i]);
-        round->mutants.file = i;
-        mutations_list(&round->mutants, &source);
-        source_destroy(&source);
-    }
-}
-
 static void choose(Round *round, const char *only) {
-    char text[TEXT];
-    round->fates = calloc((size_t)round->mutants.count + 1, sizeof *round->fates);
+    char text[CHANGE_TEXT];
+    round->fates = calloc((size_t)round->all.mutants.count + 1, sizeof *round->fates);
     INVARIANT(round->fates);
-    for (int i = 0; i < round->mutants.count; i++) {
-        const int file = round->mutants.list[i].file;
-        describe(text, round, i);
+    for (int i = 0; i < round->all.mutants.count; i++) {
+        const int file = round->all.mutants.list[i].file;
+        lab_changes_describe(text, &round->all, i);
         round->fates[i].chosen = !only || strstr(text, only);
-        round->fates[i].equal = equal_find(&round->equal, round->examiner.rubric.files[file],
-                                           round->court.texts[file], &round->mutants.list[i]);
+        round->fates[i].equal = equal_find(&round->equal, round->all.examiner.rubric.files[file],
+                                           round->all.court.texts[file], &round->all.mutants.list[i]);
     }
 }
 
 static bool open_round(Round *round, const char *id, const char *only) {
     *round = (Round){0};
-    if (!lab_exam_open(&round->examiner, id) || !court_open(&round->court, &round->examiner.rubric) ||
-        !equal_load(&round->equal, &round->examiner.rubric))
+    if (!lab_changes_open(&round->all, id) || !equal_load(&round->equal, &round->all.examiner.rubric))
         return false;
-    list_changes(round);
     choose(round, only);
     return true;
 }
@@ -82,15 +54,14 @@ static bool open_round(Round *round, const char *id, const char *only) {
 static void close_round(Round *round) {
     free(round->fates);
     equal_destroy(&round->equal);
-    mutants_destroy(&round->mutants);
-    court_close(&round->court);
-    lab_exam_close(&round->examiner);
+    lab_changes_close(&round->all);
 }
 
 static void work(Outcome *outcome, void *context) {
     Round *round = context;
     Verdict verdict;
-    outcome->done = trial_run(&round->court, &round->mutants.list[outcome->job], &verdict, outcome->reason);
+    outcome->done =
+        trial_run(&round->all.court, &round->all.mutants.list[outcome->job], &verdict, outcome->reason);
     outcome->score = verdict;
     if (!outcome->done)
         snprintf(outcome->reason, sizeof outcome->reason, "%.300s", check_message());
@@ -104,16 +75,16 @@ static void finished(const Outcome *outcome, void *context) {
     snprintf(fate->told, sizeof fate->told, "%.*s", TRIAL_TEXT - 1, outcome->reason);
     if (outcome->done || round->broken)
         return;
-    char text[TEXT];
+    char text[CHANGE_TEXT];
     round->broken = true;
-    describe(text, round, outcome->job);
+    lab_changes_describe(text, &round->all, outcome->job);
     check_fail("%s: %s", text, outcome->reason);
 }
 
 // The mutants that no check has noticed yet.
 static int list_jobs(const Round *round, int *jobs) {
     int count = 0;
-    for (int i = 0; i < round->mutants.count; i++) {
+    for (int i = 0; i < round->all.mutants.count; i++) {
         const Verdict verdict = round->fates[i].verdict;
         if (round->fates[i].chosen && (verdict == VERDICT_OPEN || verdict == VERDICT_SURVIVED))
             jobs[count++] = i;
@@ -124,41 +95,41 @@ static int list_jobs(const Round *round, int *jobs) {
 static bool run_seed(Round *round, int seed, const MutantSettings *settings) {
     const GradeOptions options = {.seed = (uint64_t)seed};
     const Pool pool = {settings->processes, TRIES, MUTANT_SECONDS, round, work, finished};
-    int *jobs = calloc((size_t)round->mutants.count + 1, sizeof *jobs);
+    int *jobs = calloc((size_t)round->all.mutants.count + 1, sizeof *jobs);
     INVARIANT(jobs);
     const int count = list_jobs(round, jobs);
     bool ok = true;
     if (count > 0) {
-        round->court.exam = lab_exam_exam(&round->examiner, &options);
-        lab_exam_rest(&round->examiner); // no process of the pool may share our worker
-        progress_bar_begin(&round->bar, stderr, round->examiner.rubric.id, count, 0);
-        ok = round->court.exam && pool_run(&pool, jobs, count) && !round->broken;
+        round->all.court.exam = lab_exam_exam(&round->all.examiner, &options);
+        lab_exam_rest(&round->all.examiner); // no process of the pool may share our worker
+        progress_bar_begin(&round->bar, stderr, round->all.examiner.rubric.id, count, 0);
+        ok = round->all.court.exam && pool_run(&pool, jobs, count) && !round->broken;
         progress_bar_end(&round->bar);
-        lab_exam_forget(&round->examiner);
+        lab_exam_forget(&round->all.examiner);
     }
     free(jobs);
     return ok;
 }
 
 static void print_survivor(const Round *round, int i) {
-    const Mutant *mutant = &round->mutants.list[i];
-    const char *text = round->court.texts[mutant->file], *line = text + mutant->begin;
-    char about[TEXT];
+    const Mutant *mutant = &round->all.mutants.list[i];
+    const char *text = round->all.court.texts[mutant->file], *line = text + mutant->begin;
+    char about[CHANGE_TEXT];
     while (line > text && line[-1] != '\n')
         line--;
     line += strspn(line, " ");
-    describe(about, round, i);
+    lab_changes_describe(about, &round->all, i);
     printf("survived: %s\n    %.*s\n", about, (int)strcspn(line, "\n"), line);
     if (round->fates[i].told[0])
         printf("    told: %s\n", round->fates[i].told);
 }
 
 static bool refuse_noticed(const Round *round, int i) {
-    char text[TEXT];
+    char text[CHANGE_TEXT];
     const Verdict verdict = round->fates[i].verdict;
     if (!round->fates[i].equal || (verdict != VERDICT_KILLED && verdict != VERDICT_NOT_MADE))
         return true;
-    describe(text, round, i);
+    lab_changes_describe(text, &round->all, i);
     printf("refused: equal.json calls this equal in effect, but %s: %s\n",
            verdict == VERDICT_KILLED ? "a check notices it" : "it does not compile", text);
     return false;
@@ -170,7 +141,7 @@ static bool refuse_unmatched(const Round *round) {
         const EqualChange *change = &round->equal.changes[i];
         if (change->matched == 0)
             printf("refused: lab %s: equal.json names a change that there is not: %s: \"%s\" in \"%s\"\n",
-                   round->examiner.rubric.id, change->file, change->from, change->line);
+                   round->all.examiner.rubric.id, change->file, change->from, change->line);
         ok = ok && change->matched > 0;
     }
     return ok;
@@ -179,7 +150,7 @@ static bool refuse_unmatched(const Round *round) {
 static bool report(const Round *round) {
     int made = 0, compiled = 0, killed = 0, equal = 0, survived = 0;
     bool ok = refuse_unmatched(round);
-    for (int i = 0; i < round->mutants.count; i++) {
+    for (int i = 0; i < round->all.mutants.count; i++) {
         const Fate *fate = &round->fates[i];
         made += fate->chosen;
         compiled += fate->verdict == VERDICT_KILLED || fate->verdict == VERDICT_SURVIVED;
@@ -190,7 +161,7 @@ static bool report(const Round *round) {
         if (fate->verdict == VERDICT_SURVIVED && !fate->equal)
             print_survivor(round, i);
     }
-    printf("| %s | %d | %d | %d | %d | %d | %.1f |\n", round->examiner.rubric.id, made, compiled, killed,
+    printf("| %s | %d | %d | %d | %d | %d | %.1f |\n", round->all.examiner.rubric.id, made, compiled, killed,
            equal, survived, compiled > 0 ? 100.0 * (killed + equal) / compiled : 100);
     fflush(stdout);
     return ok && survived == 0;
@@ -208,11 +179,11 @@ bool lab_mutants_run(const char *id, const MutantSettings *settings, bool *clean
 
 bool lab_mutants_list(const char *id, const char *only) {
     static Round round;
-    char text[TEXT];
+    char text[CHANGE_TEXT];
     const bool ok = open_round(&round, id, only);
-    for (int i = 0; ok && i < round.mutants.count; i++)
+    for (int i = 0; ok && i < round.all.mutants.count; i++)
         if (round.fates[i].chosen) {
-            describe(text, &round, i);
+            lab_changes_describe(text, &round.all, i);
             puts(text);
         }
     close_round(&round);

@@ -2,6 +2,7 @@
 // verdict changes.
 #include "proof/scene_power.h"
 
+#include "proof/absence.h"
 #include "proof/scene_needs.h"
 #include "scene/check.h"
 #include "score/score.h"
@@ -24,17 +25,10 @@ bool scene_power_has(const Exam *exam, const char *scene, int thing) {
     return false;
 }
 
-static bool draw(Painters *painters, Solved solved, const Change *change, const Request *request,
-                 Image *image) {
+static bool draw(Painters *painters, const Change *mistake, const Request *request, Image *image) {
     static Reply reply;
-    const Painter *painter = painters_get(painters, solved, change);
+    const Painter *painter = painters_get(painters, (Solved){SOLVED_ALL, NULL}, mistake);
     return painter && painters_draw(painters, painter, request, image, &reply);
-}
-
-static bool draw_variant(Variant *variant, Painters *painters, const char *task) {
-    return draw(painters, (Solved){SOLVED_ALL, NULL}, NULL, &variant->request, &variant->reference) &&
-           draw(painters, (Solved){SOLVED_ALL_BUT, task}, NULL, &variant->request, &variant->without) &&
-           draw(painters, (Solved){SOLVED_NONE, NULL}, NULL, &variant->request, &variant->skeleton);
 }
 
 // `why` is told when one of them would be refused.
@@ -50,7 +44,7 @@ static bool draw_lacking(Lacking *lacking, const Exam *exam, int c, const char *
             continue;
         lacking->variants[n] = (Variant){.scene = whole->scene, .request = whole->request};
         scene_needs_take_away(&lacking->variants[n].request.scene, thing);
-        ok = draw_variant(&lacking->variants[n], exam->painters, check->task);
+        ok = absence_draw_variant(&lacking->variants[n], exam->painters, check->task);
         if (ok && !exam_acceptable(&lacking->variants[n], 0))
             snprintf(why, POWER_TEXT, "check \"%s\" would not be asked", check->name);
     }
@@ -66,8 +60,7 @@ static bool add_shares(double sums[2], Exam *exam, const Lacking *lacking, int c
     const Variant *variant = &lacking->variants[n];
     const Image *whole = exam_mistake(exam, m, c, n);
     Image image = {0};
-    bool ok = whole && draw(exam->painters, (Solved){SOLVED_ALL, NULL}, &exam->rubric->mistakes[m],
-                            &variant->request, &image);
+    bool ok = whole && draw(exam->painters, &exam->rubric->mistakes[m], &variant->request, &image);
     sums[0] += ok ? share_in(&exam->variants[c][n], whole) : 0;
     sums[1] += ok ? share_in(variant, &image) : 0;
     image_destroy(&image);

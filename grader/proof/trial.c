@@ -75,16 +75,22 @@ static Verdict judge(const LabResult *result, bool passes) {
     return passes ? VERDICT_SURVIVED : VERDICT_KILLED;
 }
 
+// Who draws the lab that was built into this folder.
+static WorkerClient make_worker(const Court *court, const char *folder) {
+    WorkerClient worker = {.trust = TRUST_OURS,
+                           .context = court->exam->painters->context,
+                           .quick_shaders = true,
+                           .each_turn = true,
+                           .seconds = CHECK_SECONDS};
+    snprintf(worker.folder, sizeof worker.folder, "%s", folder);
+    return worker;
+}
+
 static void examine(const Court *court, const Mutant *mutant, const char *folder, Verdict *verdict,
                     char told[TRIAL_TEXT]) {
     static LabResult result;
     static WorkerClient worker;
-    worker = (WorkerClient){.trust = TRUST_OURS,
-                            .context = court->exam->painters->context,
-                            .quick_shaders = true,
-                            .each_turn = true,
-                            .seconds = CHECK_SECONDS};
-    snprintf(worker.folder, sizeof worker.folder, "%s", folder);
+    worker = make_worker(court, folder);
     grade_begin(&result, court->rubric);
     const bool passes = passes_all(&result, court, mutant, &worker);
     *verdict = judge(&result, passes);
@@ -93,19 +99,83 @@ static void examine(const Court *court, const Mutant *mutant, const char *folder
     result_destroy_lab(&result);
 }
 
-bool trial_run(const Court *court, const Mutant *mutant, Verdict *verdict, char told[TRIAL_TEXT]) {
-    char sources[FILES_PATH], folder[FILES_PATH];
+// Makes both folders and builds the lab with the change. False with a message: a fault of ours.
+static bool make(const Court *court, const Mutant *mutant, char sources[FILES_PATH], char folder[FILES_PATH],
+                 Verdict *verdict) {
     *verdict = VERDICT_OPEN;
-    told[0] = '\0';
     if (!files_make_temporary(sources))
         return false;
     if (!files_make_temporary(folder)) {
         files_remove(sources);
         return false;
     }
-    const bool ok = write_sources(court, mutant, sources) && build(court, sources, folder, verdict);
+    return write_sources(court, mutant, sources) && build(court, sources, folder, verdict);
+}
+
+bool trial_run(const Court *court, const Mutant *mutant, Verdict *verdict, char told[TRIAL_TEXT]) {
+    char sources[FILES_PATH] = "", folder[FILES_PATH] = "";
+    told[0] = '\0';
+    const bool ok = make(court, mutant, sources, folder, verdict);
     if (ok && *verdict == VERDICT_OPEN)
         examine(court, mutant, folder, verdict, told);
+    files_remove(sources);
+    files_remove(folder);
+    return ok;
+}
+
+// Does the lab pass this check of this exam? Who crashes or takes too long does not, and is not *alive.
+static bool passes_check(const Court *court, Exam *exam, WorkerClient *worker, int c, bool *alive) {
+    static LabResult result;
+    grade_begin(&result, court->rubric);
+    worker_client_begin(worker);
+    const bool passes = grade_check(&result, exam, worker, c);
+    *alive = *alive && !result.message[0];
+    result_destroy_lab(&result);
+    return passes && *alive;
+}
+
+// The change fails this check: of the things that may matter, those stay without which it passes.
+static bool lose(const Court *court, const Absence *absences, int count, int c, WorkerClient *worker,
+                 char *losses) {
+    bool alive = true, any = false;
+    for (int i = 0; i < count; i++) {
+        if (losses[i] == LOSS_KILL &&
+            !(absence_concerns(&absences[i], c) && passes_check(court, absences[i].exam, worker, c, &alive)))
+            losses[i] = LOSS_NONE;
+        any = any || losses[i] == LOSS_KILL;
+    }
+    return any;
+}
+
+// The checks of the change's task first, as passes_all has it.
+static void examine_without(const Court *court, const Mutant *mutant, const Absence *absences, int count,
+                            WorkerClient *worker, char *losses) {
+    bool alive = true, any = count > 0, killed = false;
+    memset(losses, LOSS_KILL, (size_t)count);
+    for (int others = 0; others < 2; others++)
+        for (int c = 0; any && alive && c < court->rubric->check_count; c++)
+            if (is_of(&court->rubric->checks[c], mutant) == !others &&
+                !passes_check(court, court->exam, worker, c, &alive)) {
+                killed = true;
+                any = alive && lose(court, absences, count, c, worker, losses);
+            }
+    if (!any || !alive || !killed)
+        memset(losses, LOSS_NONE, (size_t)count);
+}
+
+bool trial_without(const Court *court, const Mutant *mutant, const Absence *absences, int count,
+                   char *losses) {
+    static WorkerClient worker;
+    char sources[FILES_PATH] = "", folder[FILES_PATH] = "";
+    Verdict verdict;
+    memset(losses, LOSS_NONE, (size_t)count);
+    losses[count] = '\0';
+    const bool ok = make(court, mutant, sources, folder, &verdict);
+    if (ok && verdict == VERDICT_OPEN) {
+        worker = make_worker(court, folder);
+        examine_without(court, mutant, absences, count, &worker, losses);
+        worker_client_stop(&worker);
+    }
     files_remove(sources);
     files_remove(folder);
     return ok;

@@ -3,6 +3,7 @@
 
 #include "compile/rubric.h"
 #include "exam/exam.h"
+#include "proof/absence.h"
 #include "proof/mutant.h"
 
 #include <stdbool.h>
@@ -32,3 +33,12 @@ void court_close(Court *court); // accepts a zeroed court; the exam is not its o
 // stops at the first check that fails. `told` gets what a student would read though all checks pass, "" for
 // nothing. False with a message: a fault of ours.
 bool trial_run(const Court *court, const Mutant *mutant, Verdict *verdict, char told[TRIAL_TEXT]);
+
+// What an object's absence does to a change that is killed: nothing, or it survives without the object.
+typedef enum Loss { LOSS_NONE = '.', LOSS_KILL = 'k' } Loss;
+
+// Grades the change as trial_run does, and each check that fails once more without each of these things,
+// until it is certain that none of them matters. (Of a change that crashes or takes too long, none does.)
+// losses[i] gets a Loss, and losses[count] the end of a text. False with a message: a fault of ours.
+bool trial_without(const Court *court, const Mutant *mutant, const Absence *absences, int count,
+                   char *losses);

@@ -100,6 +100,12 @@ FrameScore score_frame(const Image *yours, const Image *reference, const Image *
     return score;
 }
 
+bool score_is_any(const Image *yours, const Image *reference, const Image *without, const Image *skeleton) {
+    INVARIANT(same_size(yours, reference) && same_size(reference, without) && same_size(reference, skeleton));
+    return same_bytes(yours, reference) || (error_inside(yours, reference, without) < ZERO &&
+                                            score_frame(yours, reference, without, skeleton).share > 0);
+}
+
 double score_mask(const Image *reference, const Image *other) {
     return (double)score_count(reference, other) / ((double)image_bytes(reference) / 4);
 }

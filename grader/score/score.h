@@ -32,6 +32,9 @@ double score_pixel(const Image *a, const Image *b, size_t at);
 FrameScore score_frame(const Image *yours, const Image *reference, const Image *without,
                        const Image *skeleton);
 
+// Is the share of points that score_frame gives more than 0? The same answer, sooner.
+bool score_is_any(const Image *yours, const Image *reference, const Image *without, const Image *skeleton);
+
 // Share of the pixels in which the two differ, 0..1.
 double score_mask(const Image *reference, const Image *other);
 

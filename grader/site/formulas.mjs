@@ -27,13 +27,13 @@ export function takeFormulas(markdown) {
   return { text, formulas };
 }
 
-// A formula within a line that may be wider than a phone can be scrolled by itself there, by keys, too.
-const LONG = 32; // letters of TeX
+// A formula within a line that may be wider than a phone, or than any page, can be scrolled by itself there, by keys, too.
+const LONG = 32, LONGEST = 150; // letters of TeX
 
 // One formula as MathML; throws with TeX's message when it is wrong.
 export function mathml({ tex, display }) {
   const html = katex.renderToString(tex, { displayMode: display, output: "mathml", throwOnError: true, strict: "error" });
-  return display || tex.length < LONG ? html : html.replace('<span class="katex">', '<span class="katex long" tabindex="0">');
+  return display || tex.length < LONG ? html : html.replace('<span class="katex">', `<span class="katex ${tex.length < LONGEST ? "long" : "longest"}" tabindex="0">`);
 }
 
 // Puts the formulas back into the parser's HTML. `where` names the file in an error.

@@ -5,6 +5,7 @@
 #include "scene/count.h"
 #include "truth/pixels.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -29,7 +30,10 @@ static bool add_frame(Baselines *lines, const char *name, const StudyScene *scen
     MeasuredErrors errors;
     if (!view_compare(view, scene, &setting, frame, &errors))
         return false;
-    measured_errors_add(&find(lines, name)->errors, &errors, 1.0 / views);
+    Baseline *line = find(lines, name);
+    measured_errors_add(&line->errors, &errors, 1.0 / views);
+    line->worst_inside = fmax(line->worst_inside, errors.interior_false_shadow + errors.interior_false_light);
+    line->worst_off = fmax(line->worst_off, errors.off);
     return true;
 }
 

@@ -7,8 +7,9 @@ enum { BASELINES_MOST = 8, BASELINE_NAME = 40 };
 
 typedef struct Baseline {
     char name[BASELINE_NAME];
-    MeasuredErrors errors; // means over the views
-    bool is_floor;         // the truth's own noise: below it a chart says nothing
+    MeasuredErrors errors;          // means over the views
+    double worst_inside, worst_off; // interior error and edge of the view in which they are largest
+    bool is_floor;                  // the truth's own noise: below it a chart says nothing
 } Baseline;
 
 typedef struct Baselines {

@@ -1,6 +1,7 @@
 // Takes the numbers out of settings' names, and finds the number along which a method's curve runs.
 #include "study/chart_label.h"
 
+#include "pages/curve_colors.h"
 #include "scene/check.h"
 
 #include <ctype.h>
@@ -90,4 +91,23 @@ int label_before(const SceneFindings *findings, int i) {
         }
     }
     return best;
+}
+
+int label_family(const SceneFindings *findings, const char *family, bool submission) {
+    int number = 0;
+    for (int i = 0; i < findings->count; i++) {
+        const Finding *finding = &findings->findings[i];
+        if (finding->method.submission == submission && strcmp(finding->method.family, family) == 0)
+            return number;
+        bool is_new = true;
+        for (int j = 0; j < i; j++)
+            is_new = is_new && !label_same_family(&findings->findings[j], finding);
+        number += is_new;
+    }
+    return -1;
+}
+
+const char *label_color(const SceneFindings *findings, const Method *method) {
+    return method->submission ? curve_color_of_submission
+                              : curve_colors[label_family(findings, method->family, false) % CURVE_COLORS];
 }

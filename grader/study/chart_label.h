@@ -24,3 +24,9 @@ int label_before(const SceneFindings *findings, int i);
 
 // Do two findings belong to one method of one author?
 bool label_same_family(const Finding *a, const Finding *b);
+
+// The place of a family in the list of the scene's families, in the order of their first setting.
+int label_family(const SceneFindings *findings, const char *family, bool submission);
+
+// The color of a setting's family, "#rrggbb".
+const char *label_color(const SceneFindings *findings, const Method *method);

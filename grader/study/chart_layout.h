@@ -30,7 +30,23 @@ typedef struct LayoutPoint {
     LayoutBox text;
 } LayoutPoint;
 
-// Places those points whose `drawn` is set within `plot`; `size` of the labels' font, pixels. What is chosen
-// is labelled first, then the front, then the others.
-void layout_points(const SceneFindings *findings, const LayoutAxis *time, const LayoutAxis *error,
-                   LayoutBox plot, double size, LayoutPoint points[METHOD_MOST]);
+// The name of a line across the plot at `y`.
+typedef struct LayoutName {
+    const char *text;
+    double y;
+    LayoutBox box; // where it stands: above its line or below it
+} LayoutName;
+
+// Places the marks of those points whose `drawn` is set within `plot`.
+void layout_marks(const SceneFindings *findings, const LayoutAxis *time, const LayoutAxis *error,
+                  LayoutBox plot, LayoutPoint points[METHOD_MOST]);
+
+// Then the names of lines, each as far to the right as no mark and no other name is in its way; `size` of the
+// font, pixels.
+void layout_names(const LayoutPoint *points, int point_count, LayoutBox plot, double size, LayoutName *names,
+                  int count);
+
+// Then the points' labels, away from all these. What is chosen is labelled first, then the front, then the
+// others. The frame without shadows has none: its lines name it.
+void layout_labels(const SceneFindings *findings, LayoutBox plot, double size, const LayoutName *names,
+                   int name_count, LayoutPoint points[METHOD_MOST]);

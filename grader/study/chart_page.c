@@ -120,8 +120,8 @@ static json_t *point_json(const SceneFindings *findings, int i, json_t *frame) {
     const Point *p = &findings->points[i];
     json_t *point = json_pack("{s:s, s:s, s:s, s:i, s:s, s:b, s:b, s:b, s:b, s:f, s:f, s:f, s:f}", "lab",
                               f->method.lab, "method", f->method.family, "setting", f->method.name, "family",
-                              chart_family(findings, f->method.family, f->method.submission), "color",
-                              chart_color(findings, &f->method), "submission", f->method.submission, "front",
+                              label_family(findings, f->method.family, f->method.submission), "color",
+                              label_color(findings, &f->method), "submission", f->method.submission, "front",
                               p->on_front, "enough", f->enough, "chosen", f->chosen, "ms", p->ms, "mad",
                               p->mad, "shade", f->shade_ms, "shadeMad", f->shade_mad);
     json_t *rest = json_pack("{s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:f, s:i, s:o, s:o}", "prepare",

@@ -89,28 +89,58 @@ function describe(p) {
          (p.front ? ', on the front' : '') + (p.chosen ? ', what this scene needs' : '');
 }
 
-// Lines that every method is held against, as far as they lie within the chart.
-function drawLines(svg, scene, y) {
+// Boxes [left, top, right, bottom] that no name or label may cover.
+const letters = {wide: 7, high: 12};
+const boxAt = (x, y, text) => [x - text.length * letters.wide / 2, y - letters.high / 2, x + text.length * letters.wide / 2, y + letters.high / 2];
+const isFree = (box, taken) => taken.every(([l, t, r, b]) => box[0] >= r || l >= box[2] || box[1] >= b || t >= box[3]);
+const markBox = ([u, v]) => [u - 6, v - 6, u + 6, v + 6];
+const isWithin = box => box[0] >= size.left && box[2] <= size.width - size.right && box[1] >= size.top && box[3] <= size.height - size.bottom;
+const small = (box, text) => make('text', {class: 'small', x: (box[0] + box[2]) / 2, y: box[3] - 2, 'text-anchor': 'middle'}, text);
+
+// Lines that every method is held against, as far as they lie within the chart. Each name stands as far to the right
+// as nothing is in its way.
+function drawLines(svg, scene, y, taken) {
   const right = size.width - size.right;
   for (const line of scene.lines) {
-    const down = y.place(errorOf(line));
+    const down = y.place(errorOf(line)), half = line.name.length * letters.wide / 2, boxes = [];
     if (down < size.top || down > size.height - size.bottom)
       continue;
+    for (let x = right - 4 - half; x > size.left + half; x -= 20)
+      boxes.push(boxAt(x, down - 9, line.name), boxAt(x, down + 9, line.name));
+    const box = boxes.find(b => isWithin(b) && isFree(b, taken)) || boxes[0];
+    taken.push(box);
     svg.append(make('line', {class: line.floor ? 'line floor' : 'line', x1: size.left, x2: right, y1: down, y2: down}),
-               make('text', {class: 'small', x: right - 4, y: down - 4, 'text-anchor': 'end'}, line.name));
+               small(box, line.name));
   }
 }
 
-// Places of marks, none on another one: ring by ring around where the numbers say.
+// What is chosen and the front have their settings beside their marks, as far as there is room.
+function drawLabels(svg, points, places, taken) {
+  const wanted = points.map((p, i) => ({p, at: places[i]})).filter(({p}) => p.front || p.chosen);
+  for (const {p, at: [u, v]} of wanted.sort((a, b) => b.p.chosen - a.p.chosen)) {
+    const aside = p.label.length * letters.wide / 2 + 7;
+    const box = [[aside, 0], [-aside, 0], [0, -13], [0, 13], [aside, -11], [-aside, -11], [aside, 11], [-aside, 11]]
+                    .map(([x, y]) => boxAt(u + x, v + y, p.label))
+                    .find(b => isWithin(b) && isFree(b, taken));
+    if (!box)
+      continue;
+    taken.push(box);
+    const label = small(box, p.label);
+    label.setAttribute('aria-hidden', 'true');
+    svg.append(label);
+  }
+}
+
+// Places of marks, none on another one and none outside: ring by ring around where the numbers say.
 function placeMarks(points, x, y) {
   const radius = 5, placed = [];
-  const isFree = ([u, v]) => placed.every(([a, b]) => Math.abs(a - u) >= 2 * radius || Math.abs(b - v) >= 2 * radius);
+  const hasRoom = ([u, v]) => placed.every(([a, b]) => Math.abs(a - u) >= 2 * radius || Math.abs(b - v) >= 2 * radius);
   for (const p of points) {
     const at = [x.place(Math.max(time(p), 1e-3)), y.place(errorOf(p))], places = [at];
     for (let ring = 1; ring < 24; ring++)
       for (let d = 0; d < 12; d++)
         places.push([at[0] + ring * radius * Math.cos(d * Math.PI / 6), at[1] + ring * radius * Math.sin(d * Math.PI / 6)]);
-    placed.push(places.find(isFree) || at);
+    placed.push(places.find((place, i) => hasRoom(place) && (i === 0 || isWithin(markBox(place)))) || at);
   }
   return placed;
 }
@@ -150,8 +180,6 @@ function drawPoint(p, x, y, [u, v]) {
   if (u !== at || v !== down)
     point.append(make('line', {class: 'away', x1: at, y1: down, x2: u, y2: v}));
   point.append(shape(p, u, v, 4.5), make('circle', {cx: u, cy: v, r: 8, fill: 'transparent'}));
-  if (p.front || p.chosen)
-    point.append(make('text', {class: 'small', x: u, y: v - 8, 'text-anchor': 'middle'}, p.label));
   if (p.chosen)
     point.prepend(make('circle', {class: 'need', cx: u, cy: v, r: 13}));
   return point;
@@ -246,9 +274,10 @@ function drawChart(scene, points, chosen, choose) {
         few = Math.max(...errors) < 100 * Math.min(...errors);
   const y = axis(errors, size.height - size.bottom, size.top, few ? [1, 2, 5] : [1]), places = placeMarks(points, x, y);
   drawAxes(svg, scene, x, y);
+  const taken = places.map(markBox);
   drawFront(svg, points, x, y);
-  drawLines(svg, scene, y);
   drawCurves(svg, points, x, y);
+  drawLines(svg, scene, y, taken);
   const list = make('g', {role: 'listbox', 'aria-label': `Settings of ${scene.title}, by time`}),
         marks = points.map((p, i) => drawPoint(p, x, y, places[i]));
   const select = (i, focus) => {
@@ -282,6 +311,7 @@ function drawChart(scene, points, chosen, choose) {
   });
   list.append(...marks);
   svg.append(list);
+  drawLabels(svg, points, places, taken);
   select(Math.max(points.indexOf(chosen), 0), false);
   return svg;
 }

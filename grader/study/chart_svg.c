@@ -3,7 +3,6 @@
 #include "study/chart_svg.h"
 
 #include "base/files.h"
-#include "pages/curve_colors.h"
 #include "scene/check.h"
 #include "study/chart_layout.h"
 #include "study/svg.h"
@@ -14,34 +13,17 @@
 #include <string.h>
 
 enum { WIDTH = 480, PLOT_HEIGHT = 470, ROW = 19, LETTERS = 14, SMALL = 12 };
-static const LayoutBox plot = {58, 48, WIDTH - 10, 48 + PLOT_HEIGHT};
+static const LayoutBox plot = {70, 48, WIDTH - 10, 48 + PLOT_HEIGHT};
 
 typedef struct ChartPicture {
     const SceneFindings *findings;
     LayoutAxis time, error;
     double slowest; // of all but ray tracing, ms
     LayoutPoint points[METHOD_MOST];
+    LayoutName names[BASELINES_MOST]; // of lines
+    int name_count;
     Svg svg;
 } ChartPicture;
-
-int chart_family(const SceneFindings *findings, const char *family, bool submission) {
-    int number = 0;
-    for (int i = 0; i < findings->count; i++) {
-        const Finding *finding = &findings->findings[i];
-        if (finding->method.submission == submission && strcmp(finding->method.family, family) == 0)
-            return number;
-        bool is_new = true;
-        for (int j = 0; j < i; j++)
-            is_new = is_new && !label_same_family(&findings->findings[j], finding);
-        number += is_new;
-    }
-    return -1;
-}
-
-const char *chart_color(const SceneFindings *findings, const Method *method) {
-    return method->submission ? curve_color_of_submission
-                              : curve_colors[chart_family(findings, method->family, false) % CURVE_COLORS];
-}
 
 static void grow(LayoutAxis *axis, double value) {
     axis->low = fmin(axis->low, value);
@@ -117,20 +99,33 @@ static void draw_axes(ChartPicture *chart) {
              chart->findings->on_gpu ? "GPU" : "CPU");
 }
 
-// Each as a dashed line with its name; what lies outside is named in the legend.
+// Lines that lie outside are named in the legend.
 static bool is_inside(const ChartPicture *chart, double error) {
     return error >= chart->error.low && error <= chart->error.high;
 }
 
-static void draw_baselines(ChartPicture *chart) {
+static double line_error(const Baseline *line) {
+    return fmax(finding_error(&line->errors), LAYOUT_LEAST_ERROR);
+}
+
+static void list_names(ChartPicture *chart) {
     for (int i = 0; i < chart->findings->lines.count; i++) {
         const Baseline *line = &chart->findings->lines.lines[i];
-        double error = fmax(finding_error(&line->errors), LAYOUT_LEAST_ERROR),
-               y = layout_place(&chart->error, error);
-        if (!is_inside(chart, error))
-            continue;
-        svg_line(&chart->svg, plot.left, y, plot.right, y, "#555555", 1.2, line->is_floor ? "2 3" : "7 4");
-        svg_text(&chart->svg, plot.right - 4, y - 4, SMALL, "end", "#555555", "%s", line->name);
+        if (is_inside(chart, line_error(line)))
+            chart->names[chart->name_count++] =
+                (LayoutName){.text = line->name, .y = layout_place(&chart->error, line_error(line))};
+    }
+}
+
+// Over the curves, so that none crosses a name.
+static void draw_baselines(ChartPicture *chart) {
+    const char *floor = chart->name_count > 0 ? baselines_floor(&chart->findings->lines)->name : "";
+    for (int i = 0; i < chart->name_count; i++) {
+        const LayoutName *name = &chart->names[i];
+        svg_line(&chart->svg, plot.left, name->y, plot.right, name->y, "#555555", 1.2,
+                 name->text == floor ? "2 3" : "7 4");
+        svg_text(&chart->svg, (name->box.left + name->box.right) / 2, name->box.bottom - 1, SMALL, "middle",
+                 "#555555", "%s", name->text);
     }
 }
 
@@ -167,7 +162,7 @@ static void draw_bare(ChartPicture *chart) {
 static void draw_strokes(ChartPicture *chart, int i) {
     const LayoutPoint *at = &chart->points[i];
     const Point *point = &chart->findings->points[i];
-    const char *color = chart_color(chart->findings, &chart->findings->findings[i].method);
+    const char *color = label_color(chart->findings, &chart->findings->findings[i].method);
     int before = label_before(chart->findings, i);
     double low, high;
     finding_range(&chart->findings->findings[i], &low, &high);
@@ -185,7 +180,7 @@ static void draw_strokes(ChartPicture *chart, int i) {
 static void draw_mark(ChartPicture *chart, int i) {
     const Finding *finding = &chart->findings->findings[i];
     const LayoutPoint *at = &chart->points[i];
-    int family = chart_family(chart->findings, finding->method.family, finding->method.submission);
+    int family = label_family(chart->findings, finding->method.family, finding->method.submission);
     svg_begin_titled(&chart->svg, "%s%s, %s: %.3g ms, error %.3g %%",
                      finding->method.submission ? "submission: " : "", finding->method.family,
                      finding->method.name, chart->findings->points[i].ms,
@@ -193,7 +188,7 @@ static void draw_mark(ChartPicture *chart, int i) {
     if (finding->chosen)
         svg_ring(&chart->svg, at->mark_x, at->mark_y, 2 * LAYOUT_MARK, "#000000");
     svg_mark(&chart->svg, at->mark_x, at->mark_y, LAYOUT_MARK,
-             finding->method.submission ? SVG_CROSS : family, chart_color(chart->findings, &finding->method));
+             finding->method.submission ? SVG_CROSS : family, label_color(chart->findings, &finding->method));
     if (at->labelled)
         svg_text(&chart->svg, (at->text.left + at->text.right) / 2, at->text.bottom - 1, SMALL, "middle",
                  "#1a1a1a", "%s", at->label);
@@ -215,9 +210,9 @@ static double draw_families(ChartPicture *chart, double y) {
         if (!is_first(chart->findings, i))
             continue;
         double x = 16 + place % 2 * (WIDTH / 2.0), line = y + ROW * (place / 2); // NOLINT
-        int family = chart_family(chart->findings, method->family, method->submission);
+        int family = label_family(chart->findings, method->family, method->submission);
         svg_mark(&chart->svg, x, line - 4, LAYOUT_MARK, method->submission ? SVG_CROSS : family,
-                 chart_color(chart->findings, method));
+                 label_color(chart->findings, method));
         svg_text(&chart->svg, x + 11, line, SMALL + 1, "start", "#1a1a1a", "%s%s",
                  method->submission ? "submission: " : "", method->family);
         place++;
@@ -239,14 +234,14 @@ static void note(ChartPicture *chart, double *y, const char *text) {
 static double draw_notes(ChartPicture *chart, double y) {
     char text[200], label[LABEL_TEXT];
     label_write(example(chart->findings)->method.name, label);
-    snprintf(text, sizeof text, "%s = %s. Ring: the cheapest that is enough. Grey: the front.", label,
-             example(chart->findings)->method.name);
+    snprintf(text, sizeof text, "%s = %s.", label, example(chart->findings)->method.name);
     note(chart, &y, text);
+    note(chart, &y, "Ring: the cheapest that is enough. Grey: the front.");
     snprintf(text, sizeof text, "Bars: MAD of the times, and least and most error of %d views.", STUDY_VIEWS);
     note(chart, &y, text);
     for (int i = 0; i < chart->findings->lines.count; i++) {
         const Baseline *line = &chart->findings->lines.lines[i];
-        if (is_inside(chart, fmax(finding_error(&line->errors), LAYOUT_LEAST_ERROR)))
+        if (is_inside(chart, line_error(line)))
             continue;
         snprintf(text, sizeof text, "Outside: %s, %.3g %%.", line->name, 100 * finding_error(&line->errors));
         note(chart, &y, text);
@@ -267,14 +262,17 @@ static void draw(ChartPicture *chart) {
     const SceneFindings *findings = chart->findings;
     for (int i = 0; i < findings->count; i++)
         chart->points[i].drawn = is_charted(chart, i);
-    layout_points(findings, &chart->time, &chart->error, plot, SMALL, chart->points);
+    layout_marks(findings, &chart->time, &chart->error, plot, chart->points);
+    list_names(chart);
+    layout_names(chart->points, findings->count, plot, SMALL, chart->names, chart->name_count);
+    layout_labels(findings, plot, SMALL, chart->names, chart->name_count, chart->points);
     draw_axes(chart);
     draw_front(chart);
-    draw_baselines(chart);
     draw_bare(chart);
     for (int i = 0; i < findings->count; i++)
         if (chart->points[i].drawn)
             draw_strokes(chart, i);
+    draw_baselines(chart);
     for (int i = 0; i < findings->count; i++)
         if (chart->points[i].drawn)
             draw_mark(chart, i);

@@ -5,9 +5,3 @@
 
 // Writes folder/SCENE.svg. False with a message.
 bool chart_draw(const SceneFindings *findings, const char *folder);
-
-// The place of a family in the list of the scene's families, in the order of their first setting.
-int chart_family(const SceneFindings *findings, const char *family, bool submission);
-
-// The color of a setting's family, "#rrggbb".
-const char *chart_color(const SceneFindings *findings, const Method *method);

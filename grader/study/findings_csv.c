@@ -75,3 +75,20 @@ void findings_csv_views_write(FILE *file, const SceneFindings *findings) {
         }
     }
 }
+
+void findings_csv_lines_head(FILE *file) {
+    fputs("scene,line,floor,error,interior_error,edge_off_pixels,rmse,flip,worst_interior,worst_off_pixels,"
+          "most_interior,most_off_pixels\n",
+          file);
+}
+
+void findings_csv_lines_write(FILE *file, const SceneFindings *findings) {
+    for (int i = 0; i < findings->lines.count; i++) {
+        const Baseline *line = &findings->lines.lines[i];
+        const MeasuredErrors *e = &line->errors;
+        fprintf(file, "%s,%s,%d,%.8f,%.8f,%.5f,%.8f,%.8f,%.8f,%.5f,%.8f,%.5f\n", findings->scene->name,
+                line->name, line->is_floor, finding_error(e), finding_interior_error(e), e->off, e->rmse,
+                e->flip, line->worst_inside, line->worst_off, findings->scene->tolerance,
+                findings->scene->edges ? FINDING_MOST_OFF : 0);
+    }
+}

@@ -13,6 +13,11 @@ void findings_csv_write(FILE *file, const SceneFindings *findings);
 void findings_csv_views_head(FILE *file);
 void findings_csv_views_write(FILE *file, const SceneFindings *findings);
 
+// The same of the third table, a line for each frame that takes no method (baselines.h), beside the scene's
+// limits; the edge's is 0 where there are no edges.
+void findings_csv_lines_head(FILE *file);
+void findings_csv_lines_write(FILE *file, const SceneFindings *findings);
+
 // Prints which settings are on the front in one table only and whether the noise explains it: whether each
 // one that keeps it off the front in one table and not in the other has overlapping error bars with it in at
 // least one of them. `unexplained` gets the number of settings for which it does not. False with a message

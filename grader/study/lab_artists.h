@@ -3,7 +3,7 @@
 
 #include "study/method.h"
 
-enum { CREW_MOST = 32 };
+enum { CREW_MOST = 64 };
 
 typedef struct LabArtists {
     const char *submission_lab, *submission; // NULL: there is none

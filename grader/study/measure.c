@@ -173,6 +173,16 @@ static bool measure_views(StudyPlan *plan, const StudyView *views, SceneFindings
     return ok;
 }
 
+// A submission's C is compiled as it was handed in: for a measurement only its shaders can be changed.
+static bool changes_c(const Change *change) {
+    for (int i = 0; change && i < change->edit_count; i++) {
+        const char *dot = strrchr(change->edits[i].file, '.');
+        if (dot && (strcmp(dot, ".c") == 0 || strcmp(dot, ".h") == 0))
+            return true;
+    }
+    return false;
+}
+
 static void list_methods(const StudyPlan *plan, const StudyScene *scene, SceneFindings *findings) {
     static MethodList list;
     study_add_methods(&list, scene);
@@ -184,7 +194,8 @@ static void list_methods(const StudyPlan *plan, const StudyScene *scene, SceneFi
     for (int i = 0; i < list.count; i++)
         findings->findings[findings->count++].method = list.methods[i];
     for (int i = 0; i < list.count && plan->artists.submission; i++) {
-        if (strcmp(list.methods[i].lab, plan->artists.submission_lab) != 0)
+        if (strcmp(list.methods[i].lab, plan->artists.submission_lab) != 0 ||
+            changes_c(list.methods[i].change))
             continue;
         INVARIANT(findings->count < METHOD_MOST);
         Method *method = &findings->findings[findings->count++].method;

@@ -6,6 +6,7 @@
 #include "remark.h"
 #include "worker/primitives_view.h"
 #include "worker/quantise.h"
+#include "worker/ready_program.h"
 #include "scene/shader_source.h"
 
 #include <dlfcn.h>
@@ -54,7 +55,8 @@ static bool load_lab(LoadedLab *hosted) {
 static bool load_programs(LoadedLab *hosted) {
     INVARIANT(hosted->lab);
     for (int i = 0; i < LAB_MAX_PROGRAMS && hosted->lab->programs[i].vertex; i++) {
-        if (!program_create(&hosted->programs[i], &hosted->lab->programs[i]))
+        if (!ready_program_take(&hosted->programs[i], &hosted->lab->programs[i]) &&
+            !program_create(&hosted->programs[i], &hosted->lab->programs[i]))
             return false;
         hosted->program_count++;
     }

@@ -1,12 +1,16 @@
-// worker CONTEXT LAB_FOLDER SHARED_SHADER_FOLDER
+// worker CONTEXT LAB_FOLDER SHARED_SHADER_FOLDER [PATH]...
 //
 // Loads LAB_FOLDER/lab.so and draws the frames that a client asks for (protocol.h). It never talks to anybody
 // else, so whatever a lab does to its process, the client only sees pixels of known size, an end of file or a
-// silence. With LAB_FOLDER "-" each request names its lab: for ours, which may share a process.
+// silence. With LAB_FOLDER "-" each request names its lab: for ours, which may share a process. With "?" it
+// is a nursery (nursery.h), and more arguments are paths that its children see.
 #include "worker/renderdoc.h"
 #include "context.h"
 #include "worker/loaded_lab.h"
 #include "worker/no_programs.h"
+#include "worker/warm_up.h"
+#include "worker/nursery.h"
+#include "worker/ready_program.h"
 #include "protocol/protocol.h"
 #include "scene/shader_source.h"
 #include "base/pipe.h"
@@ -115,7 +119,9 @@ static bool greet(void) {
 
 int main(int count, char **arguments) {
     static Request request;
-    if (count != 4) {
+    static char folder[PROTOCOL_PATH];
+    const bool nursery = count > 4 && strcmp(arguments[2], "?") == 0;
+    if (count != 4 && !nursery) {
         fprintf(stderr, "usage: worker osmesa|egl LAB_FOLDER SHARED_SHADER_FOLDER (started by the grader)\n");
         return 2;
     }
@@ -125,6 +131,12 @@ int main(int count, char **arguments) {
     worker.shader_folder = arguments[3];
     shader_source_folders(worker.shader_folder, worker.shader_folder); // for our own
     worker.ready = start(arguments[1]);
+    if (nursery) {
+        if (!worker.ready || !warm_up(&worker.stage_view) || !ready_program_create() ||
+            !nursery_wait(folder, sizeof folder, arguments + 4, count - 4))
+            return !worker.ready;
+        worker.lab_folder = folder;
+    }
     no_programs();
     if (!greet() || !worker.ready)
         return 1;

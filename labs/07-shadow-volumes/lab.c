@@ -87,7 +87,7 @@ static void draw_light(const Frame *frame) {
     glDisable(GL_DEPTH_TEST);
     // TODO(7.3): add state.diffuse_specular to the picture where the stencil is 0, without changing the
     // stencil: draw a full-screen triangle with PROGRAM_TEXTURE. Look up: glBlendFunc, glStencilFunc,
-    // glStencilOp, program_set_texture and draw_fullscreen in common/.
+    // glStencilOp, program_set_texture and draw_fullscreen in common/, u_texture in shaders/texture.frag.
     UNUSED(frame);
 }
 

@@ -42,7 +42,8 @@ static bool is_within(vec3s light, vec3s a, vec3s b) {
 // together. Is the eye, which is at (0, 0, 0), in the shadow of this lit triangle alone?
 static bool is_shaded_by(const Caster *caster, int triangle, float stretch) {
     // TODO(9.7): it is, if it lies on the inner side of all five faces: three sides, near cap, far cap. The
-    // handout has the sign for each. Look up: is_within.
+    // handout has the sign for each. L is the way from (0, 0, 0), A' the first three numbers of the far end.
+    // Look up: to_light, far_end, is_within.
     UNUSED(caster, triangle, stretch, is_within);
     return false;
 }

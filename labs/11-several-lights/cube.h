@@ -30,8 +30,8 @@ static GLuint create_depth_framebuffer(void) {
 // From the world to the clip space of one face of the lamp's cube: 0 to 5 are +x, -x, +y, -y, +z, -z.
 static mat4s face_clip_from_world(const Light *lamp, int face) {
     // TODO(11.5): look from lamp->position along the face's axis, with the up vector of the handout's table,
-    // and an angle of 90 degrees; the planes are those of the lamp. Until then all faces see what the lamp
-    // sees of its target, through a narrow window.
+    // and an angle of 90 degrees; the planes are those of the lamp. Look up: glms_lookat, glms_perspective.
+    // Until then all faces see what the lamp sees of its target, through a narrow window.
     UNUSED(face);
     Light narrow = *lamp;
     narrow.fov_y = 0.5f;

@@ -33,7 +33,8 @@ float ask_cube(int light, vec3 position_world) {
     float near = u_maps_of_light[light].z, far = u_maps_of_light[light].w;
     asked++;
     // TODO(11.6), second part: ask u_cubes in the direction from the lamp to the point, with cube_depth. Look
-    // up: texture of a samplerCubeArrayShadow, which takes the depth as an argument of its own.
+    // up: u_lights in shaders/lights.glsl; texture of a samplerCubeArrayShadow, which takes the depth as an
+    // argument of its own.
     return 1.0;
 }
 

@@ -45,8 +45,8 @@ static float seen_share(const Scene *still, const Chart *chart, vec3s place, int
     int seen = rays;
     // TODO(12.6): cast a ray from `origin` to `rays` places on the lamp, and count those that hit nothing.
     // The i-th place is place_on_lamp of sample_pair(luxel, i, rays). Nothing beyond the lamp is in the way.
-    // A LIGHT_DIRECTIONAL shines from its position to its target, everywhere, from FAR_AWAY. Look up:
-    // ray_hits.
+    // A LIGHT_DIRECTIONAL shines from its position to its target, everywhere, from FAR_AWAY. Until then all
+    // rays count as seen. Look up: ray_hits in common/scene/ray.h, sample_pair in common/scene/samples.h.
     UNUSED(light, origin, luxel, place_on_lamp);
     return (float)seen / (float)rays;
 }

@@ -24,7 +24,7 @@ float transmittance(float way) {
 
 // The sum of transmittance(t) over all t from 0 to `way`, exactly.
 float gathered(float way) {
-    // TODO(13.7): the integral of transmittance. Where the extinction is 0, or nearly, that is the way
-    // itself.
+    // TODO(13.7): the integral of transmittance. Where the extinction is 0, or so small that over this way
+    // less than about 0.001 is lost, that is the way itself.
     return 0.0;
 }

@@ -9,9 +9,10 @@ out vec2 o_interval; // enters, leaves
 
 void main() {
     vec2 uv = gl_FragCoord.xy / vec2(textureSize(u_depth, 0));
-    // TODO(13.8): how far is this point of the face from the eye? (Divide by w last: 0 / 0 is no number.)
-    // Behind what is seen at uv no dust counts: take the smaller of both distances. What all dust up to there
-    // would send, u_scattering * gathered(...), goes into the first number where the ray enters the volume,
-    // at a front face, and into the second where it leaves it; the other one is 0.
+    // TODO(13.8): how far is this point of the face from the eye? Take w times the eye away first and divide
+    // by w last: 0 / 0 is no number. Behind what is seen at uv no dust counts: take the smaller of both
+    // distances. What all dust up to there would send, u_scattering * gathered(...), goes into the first
+    // number where the ray enters the volume, at a front face, and into the second where it leaves it; the
+    // other one is 0. Look up: gl_FrontFacing.
     o_interval = vec2(0.0);
 }

@@ -1,14 +1,14 @@
 // The filters in the study, and the scene that shows texels and filters.
+#include "study_filters.h"
 #include "study_receiver_plane.h"
 #include "scene/count.h"
-#include "study/study_scene.h"
 #include "truth/closed_scenes.h"
 
 #include <string.h>
 
 // Plates before a wall, both square to the light: no bias is needed, and the edge shows the map's texels and
 // its filter alone, in many directions.
-static void make_edges(Scene *scene) {
+void filters_make_edges(Scene *scene) {
     *scene = closed_wall(3.2f, 10, glm_rad(36));
     study_look(scene, vec3_make(2.7f, 0.7f, 4.3f), vec3_make(0.1f, 0, 0));
     for (int i = 0; i < 4; i++)
@@ -21,19 +21,13 @@ static const StudyScene scenes[] = {
     {"edges",
      "Hard light on plates: texels and filters",
      "long edges in many directions: the texels show, and what a filter makes of them",
-     make_edges,
+     filters_make_edges,
      {.kind = TRUTH_LIGHT},
      true,
      STUDY_HARD,
      .moves = false},
     {0},
 };
-
-typedef struct Filter {
-    const char *family;
-    int method, radius, taps; // knobs; lookups a pixel
-    float kernel;
-} Filter;
 
 static const Filter hard = {"hard", 0, 0, 1, 0}, by_hand = {"3 x 3 by hand", 1, 0, 9, 1},
                     linear = {"linear", 2, 0, 1, 0}, diagonals = {"4 diagonals", 3, 0, 4, 1},
@@ -42,36 +36,33 @@ static const Filter hard = {"hard", 0, 0, 1, 0}, by_hand = {"3 x 3 by hand", 1, 
 // llvmpipe walks all branches of a shader, whatever a uniform chooses, so each filter is measured in a shader
 // in which the choice is fixed, as a course or a game would build it.
 #define FIX(method)                                                                                          \
-    {                                                                                                        \
-        .name = "method " #method " fixed",                                                                  \
-        .edits = {{"shadow.frag", "uniform int u_method;", "const int u_method = " #method ";"}},            \
-        .edit_count = 1                                                                                      \
-    }
-static const Change fixed[] = {FIX(0), FIX(1), FIX(2), FIX(3), FIX(4), FIX(5)};
+    { .name = "method " #method " fixed", .edits = {FILTER_FIXED(#method)}, .edit_count = 1 }
+const Change filters_fixed[FILTERS_FIXED] = {FIX(0), FIX(1), FIX(2), FIX(3), FIX(4), FIX(5)};
 
 // The offset that one linear lookup needs; the planes do the rest of the kernel.
 static const Change receiver_plane = {
     .name = "box by receiver planes",
-    .edits = {{"shadow.frag", "uniform int u_method;", "const int u_method = 4;"},
+    .edits = {FILTER_FIXED("4"),
               {"lab.c", "glPolygonOffset(2 * reach, 2)", "glPolygonOffset(2 + 0 * reach, 2)"},
               RECEIVER_PLANE},
     .edit_count = 4};
 
-static void add_filter(MethodList *list, Filter filter, int size) {
+Method *filters_add(MethodList *list, Filter filter, int size) {
     Method *method = method_add_map(list, LAB_ID, filter.family, size, "%s", "");
     setting_knob(&method->setting, "method", (float)filter.method);
-    method->change = &fixed[filter.method];
+    method->change = &filters_fixed[filter.method];
     if (filter.radius > 0)
         setting_knob(&method->setting, "kernel radius", (float)filter.radius);
     method->taps = filter.taps;
     method->kernel = filter.kernel;
+    return method;
 }
 
 static Method *add_box(MethodList *list, const char *family, int size, int radius) {
     int side = 2 * radius + 1;
     Method *method = method_add_map(list, LAB_ID, family, size, "%d x %d", side, side);
     setting_knob(&method->setting, "method", 4);
-    method->change = &fixed[4];
+    method->change = &filters_fixed[4];
     setting_knob(&method->setting, "kernel radius", (float)radius);
     method->taps = side * side;
     method->kernel = (float)radius;
@@ -96,20 +87,20 @@ static void add_to_edges(MethodList *list) {
     const Filter filters[] = {hard, by_hand, linear, diagonals, box_5, gather};
     for (int i = 0; i < STUDY_SIZES; i++)
         for (unsigned f = 0; f < COUNT(filters); f++)
-            add_filter(list, filters[f], study_sizes[i]);
+            filters_add(list, filters[f], study_sizes[i]);
 }
 
 static void add_to_penumbra(MethodList *list) {
-    add_filter(list, hard, 1024);
-    add_filter(list, linear, 256);
+    filters_add(list, hard, 1024);
+    filters_add(list, linear, 256);
     for (int size = 128; size <= 512; size *= 2)
         add_box(list, "box PCF", size, size / STUDY_KERNEL);
 }
 
 static void add_to_volumes(MethodList *list) {
     for (int i = 0; i < STUDY_SIZES; i++) {
-        add_filter(list, linear, study_sizes[i]);
-        add_filter(list, gather, study_sizes[i]);
+        filters_add(list, linear, study_sizes[i]);
+        filters_add(list, gather, study_sizes[i]);
     }
 }
 
@@ -128,7 +119,7 @@ static void add_methods(MethodList *list, const char *scene) {
 
 // The light stays square to the wall; that it moved along it moves the map's grid.
 static void settle(Scene *scene, const char *name) {
-    if (strcmp(name, "edges") == 0)
+    if (strcmp(name, "edges") == 0 || strcmp(name, FASTER) == 0)
         scene->lights[0].position = glms_vec3_add(scene->lights[0].target, vec3_make(0, 0, 10));
 }
 

@@ -84,12 +84,40 @@ static void add_baked(MethodList *list, int density, int rays, float length) {
     method->add_cost = add_bake;
 }
 
-static void add_screen(MethodList *list, float length) {
-    Method *method = method_add(list, LAB_ID, "screen space", "radius %g", (double)length);
+// The occlusion of every second pixel of every second row, which its three neighbours take over.
+static const Change half_size = {
+    .name = "screen space at half size",
+    .edits = {{"lab.c", "target_create(&state.screen, frame->width, frame->height, GL_RGBA8, 0)",
+               "target_create(&state.screen, (frame->width + 1) / 2, (frame->height + 1) / 2, GL_RGBA8, 0)"},
+              {"occlusion.frag", "ivec2(gl_FragCoord.xy), 0)", "ivec2(gl_FragCoord.xy) / 2, 0)"}},
+    .edit_count = 2};
+
+// A symmetrical perspective needs two factors, no matrix.
+static const Change two_factors = {
+    .name = "screen space, projected by two factors",
+    .edits = {{"ssao.frag",
+               "    vec4 point_clip = u_clip_from_view * vec4(point_view, 1.0);\n"
+               "    float seen = seen_distance(point_clip.xy / point_clip.w * 0.5 + 0.5);\n",
+               "    vec2 factors = vec2(u_clip_from_view[0][0], u_clip_from_view[1][1]);\n"
+               "    float seen = seen_distance(factors * point_view.xy / -point_view.z * 0.5 + 0.5);\n"}},
+    .edit_count = 1};
+
+static Method *add_screen(MethodList *list, const char *family, float length) {
+    Method *method = method_add(list, LAB_ID, family, "radius %g", (double)length);
     setting_knob(&method->setting, "method", 1);
     setting_knob(&method->setting, "ray length", length);
     method->picture_bytes = 4; // GL_RGBA8
     method->taps = 16;         // hemisphere_count in shaders/hemisphere.glsl
+    return method;
+}
+
+static void add_screens(MethodList *list, float length) {
+    add_screen(list, "screen space", length);
+    add_screen(list, "screen space, two factors", length)->change = &two_factors;
+    Method *half = add_screen(list, "screen space, half size", length);
+    half->change = &half_size;
+    half->picture_bytes = 1; // a quarter of the pixels
+    half->taps = 4;
 }
 
 static void add_methods(MethodList *list, const char *scene) {
@@ -99,7 +127,7 @@ static void add_methods(MethodList *list, const char *scene) {
                 add_baked(list, density, rays, 0);
     for (unsigned i = 0; i < COUNT(near); i++)
         if (strcmp(scene, near[i].scene) == 0) {
-            add_screen(list, near[i].length);
+            add_screens(list, near[i].length);
             for (int density = 2; density <= 16; density *= 2)
                 add_baked(list, density, 64, near[i].length);
         }

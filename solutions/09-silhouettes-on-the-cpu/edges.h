@@ -15,7 +15,7 @@ typedef struct EdgeSet {
 } EdgeSet;
 
 // From p towards the light. A lamp is at light->position; the sun (LIGHT_DIRECTIONAL) shines from there to
-// light->target, everywhere in this direction. The length does not matter.
+// light->target, everywhere in this direction. As long as the way is: far_end needs its length.
 static vec3s to_light(const Light *light, vec3s p) {
 #ifdef SOLUTION // 9.1
     vec3s from = light->kind == LIGHT_DIRECTIONAL ? light->target : p;

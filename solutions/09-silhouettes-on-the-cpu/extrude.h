@@ -74,7 +74,8 @@ static bool is_shaded_by(const Caster *caster, int triangle, float stretch) {
     return is_between && is_within(light, a, b) && is_within(light, b, c) && is_within(light, c, a);
 #else
     // TODO(9.7): it is, if it lies on the inner side of all five faces: three sides, near cap, far cap. The
-    // handout has the sign for each. Look up: is_within.
+    // handout has the sign for each. L is the way from (0, 0, 0), A' the first three numbers of the far end.
+    // Look up: to_light, far_end, is_within.
     UNUSED(caster, triangle, stretch, is_within);
     return false;
 #endif

@@ -68,7 +68,7 @@ static void take_light(const Frame *frame, vec3s lamp, float share) {
 #else
             // TODO(10.8): two casters, or the front and the back of one, must not take the light twice. Only
             // the bit ONCE can be written now: change it where a shadow was drawn, and the number fits no
-            // more.
+            // more. (GL_INCR begins at the lowest bit.) Look up: glStencilOp, GL_INVERT.
 #endif
         draw_flat(frame, i, lamp);
     }
@@ -95,7 +95,8 @@ static void draw_shadows(const Frame *frame) {
     glPolygonOffset(-1, -16);
 #else
     // TODO(10.6): a shadow has the depth of its receiver, and rounding decides which of them is in front.
-    // Pull the shadow a little towards the camera. Look up: glPolygonOffset, GL_POLYGON_OFFSET_FILL.
+    // Pull the shadow a little towards the camera: once its slope and a few units; which sign is nearer?
+    // Look up: glPolygonOffset, GL_POLYGON_OFFSET_FILL.
 #endif
     for (int k = 0; k < n * n && frame->knobs[KNOB_SHADOWS] > SHADOWS_NONE; k++)
         take_light(frame, lamp_position(light, n, k % n, k / n, frame->knobs[KNOB_JITTER]), share);

@@ -41,8 +41,8 @@ static mat4s face_clip_from_world(const Light *lamp, int face) {
     return glms_mat4_mul(clip_from_face, face_from_world);
 #else
     // TODO(11.5): look from lamp->position along the face's axis, with the up vector of the handout's table,
-    // and an angle of 90 degrees; the planes are those of the lamp. Until then all faces see what the lamp
-    // sees of its target, through a narrow window.
+    // and an angle of 90 degrees; the planes are those of the lamp. Look up: glms_lookat, glms_perspective.
+    // Until then all faces see what the lamp sees of its target, through a narrow window.
     UNUSED(face);
     Light narrow = *lamp;
     narrow.fov_y = 0.5f;

@@ -48,7 +48,8 @@ float ask_cube(int light, vec3 position_world) {
     return texture(u_cubes, vec4(from_lamp, float(light)), cube_depth(from_lamp, near, far));
 #else
     // TODO(11.6), second part: ask u_cubes in the direction from the lamp to the point, with cube_depth. Look
-    // up: texture of a samplerCubeArrayShadow, which takes the depth as an argument of its own.
+    // up: u_lights in shaders/lights.glsl; texture of a samplerCubeArrayShadow, which takes the depth as an
+    // argument of its own.
     return 1.0;
 #endif
 }

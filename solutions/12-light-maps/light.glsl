@@ -15,8 +15,8 @@ vec3 irradiance(vec3 position_world, vec3 normal_world) {
     return u_lights[0].color * facing * falloff;
 #else
     // TODO(12.2): E = color * cos / r^2, with the cosine of the angle between the normal and the direction to
-    // the light; 0 where the surface looks away. A sun is infinitely far: without r^2. Look up: u_lights and
-    // direction_to_light in shaders/lights.glsl.
+    // the light; 0 where the surface looks away. normal_world is as long as the object's scale makes it. A
+    // sun is infinitely far: without r^2. Look up: u_lights, direction_to_light in shaders/lights.glsl.
     return vec3(0.5);
 #endif
 }

@@ -50,7 +50,7 @@ void main() {
     o_color = vec4(u_color * (u_ambient_light + light), 1.0);
 #else
     // TODO(12.4): a surface reflects, of the light that it receives, the part that its colour says. It
-    // receives the ambient light and `light`.
+    // receives the ambient light (u_ambient_light) and `light`.
     o_color = vec4(u_color, 1.0);
 #endif
 }

@@ -38,8 +38,8 @@ float gathered(float way) {
     float depth = u_extinction * way;
     return depth < 1e-3 ? way : (1.0 - exp(-depth)) / u_extinction;
 #else
-    // TODO(13.7): the integral of transmittance. Where the extinction is 0, or nearly, that is the way
-    // itself.
+    // TODO(13.7): the integral of transmittance. Where the extinction is 0, or so small that over this way
+    // less than about 0.001 is lost, that is the way itself.
     return 0.0;
 #endif
 }

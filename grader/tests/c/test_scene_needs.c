@@ -1,6 +1,7 @@
 // Every object of every scene is there for something that is graded, and what is not is found.
 #include "scene/check.h"
 #include "compile/rubric_file.h"
+#include "proof/lab_changes.h"
 #include "proof/scene_needs.h"
 #include "base/places.h"
 
@@ -108,6 +109,53 @@ static void test_needless_light(void **unused) {
     rubric_destroy(&rubric);
 }
 
+// The number of a change; the test fails without it.
+static int find_change(const LabChanges *changes, const char *task, const char *before,
+                       const char *replacement) {
+    for (int i = 0; i < changes->mutants.count; i++) {
+        const Mutant *mutant = &changes->mutants.list[i];
+        if (strcmp(mutant->task, task) == 0 && strcmp(mutant->before, before) == 0 &&
+            strcmp(mutant->replacement, replacement) == 0)
+            return i;
+    }
+    fail_msg("lab 03 has no change of task %s from %s to %s", task, before, replacement);
+    return -1;
+}
+
+// "Always lit" is noticed by a box on a floor, and no more without the box; one below the floor changes
+// nothing, nor does any object of another scene.
+static void test_worth(void **unused) {
+    (void)unused;
+    enum { BOX = 1, BELOW = 2 };
+    static LabChanges changes;
+    const GradeOptions options = {.seed = 1};
+    Absence absences[3];
+    char losses[4];
+    assert_true(lab_changes_open(&changes, "03"));
+    Rubric *rubric = &changes.examiner.rubric;
+    while (strcmp(rubric->checks[0].name, "comparison: spot light") != 0)
+        memmove(&rubric->checks[0], &rubric->checks[1], (RUBRIC_MAX_CHECKS - 1) * sizeof rubric->checks[0]);
+    rubric->check_count = 1;
+    Exam *exam = changes.court.exam = lab_exam_exam(&changes.examiner, &options);
+    assert_non_null(exam);
+    for (int n = 0; n < rubric->checks[0].variants; n++) {
+        exam->variants[0][n].request.scene.objects[BELOW] =
+            (Object){.shape = SHAPE_BOX, .world_from_object = glms_translate_make(vec3_make(0, -3, 0))};
+        assert_true(absence_draw_variant(&exam->variants[0][n], exam->painters, rubric->checks[0].task));
+    }
+    assert_true(absence_create(&absences[0], exam, "table spot", BOX) &&
+                absence_create(&absences[1], exam, "table spot", BELOW) &&
+                absence_create(&absences[2], exam, "table sun", BOX));
+    lab_exam_rest(&changes.examiner);
+    const Mutant *lit = &changes.mutants.list[find_change(&changes, "3.5", "0.0", "1.0")];
+    assert_true(trial_without(&changes.court, lit, absences, 3, losses));
+    print_message("always lit: %s\n", losses);
+    assert_string_equal(losses, "k..");
+    for (int i = 0; i < 3; i++)
+        absence_destroy(&absences[i]);
+    lab_changes_close(&changes);
+}
+
 static int stop(void **unused) {
     (void)unused;
     worker_client_stop(&worker);
@@ -116,6 +164,6 @@ static int stop(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_needless), cmocka_unit_test(test_needless_light),
-                                       cmocka_unit_test(test_scenes)};
+                                       cmocka_unit_test(test_worth), cmocka_unit_test(test_scenes)};
     return cmocka_run_group_tests_name("economy", tests, NULL, stop);
 }

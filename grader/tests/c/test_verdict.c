@@ -124,32 +124,45 @@ static void test_curves(void **unused) {
     assert_int_equal(label_before(&findings, 3), 0);
 }
 
-// Twenty settings at one place: no mark hides another one, and no label a mark or another label.
+static bool apart(LayoutBox a, LayoutBox b) {
+    return a.left >= b.right || b.left >= a.right || a.top >= b.bottom || b.top >= a.bottom;
+}
+
+// Twenty settings at one place, at the right end of a line, and two lines at one height: no mark hides
+// another one, and no name or label a mark, a name or another label.
 static void test_layout(void **unused) {
     (void)unused;
     static SceneFindings findings;
     static LayoutPoint points[METHOD_MOST];
     enum { MANY = 20 };
-    const LayoutAxis time = {0.1, 10, 0, 300}, error = {1e-4, 1, 300, 0};
+    const LayoutAxis time = {0.1, 10, 0, 540}, error = {1e-4, 1, 300, 0};
+    const LayoutBox plot = {0, 0, 300, 300};
+    LayoutName names[2] = {{.text = "one sample", .y = 150}, {.text = "no shadow", .y = 150}};
     findings = (SceneFindings){.count = 0};
     for (int i = 0; i < MANY; i++) {
         add_finding(&findings, 1, 0, 0, false);
         findings.points[i].error = 0.01;
         points[i].drawn = true;
     }
-    layout_points(&findings, &time, &error, (LayoutBox){0, 0, 300, 300}, 12, points);
+    layout_marks(&findings, &time, &error, plot, points);
+    layout_names(points, findings.count, plot, 12, names, 2);
+    layout_labels(&findings, plot, 12, names, 2, points);
     int labelled = 0;
+    assert_true(apart(names[0].box, names[1].box));
     for (int i = 0; i < MANY; i++) {
-        assert_true(points[i].x == 150 && points[i].y == 150);
+        const LayoutBox mark = {points[i].mark_x - LAYOUT_MARK, points[i].mark_y - LAYOUT_MARK,
+                                points[i].mark_x + LAYOUT_MARK, points[i].mark_y + LAYOUT_MARK};
+        assert_true(points[i].x == 270 && points[i].y == 150);
         labelled += points[i].labelled;
+        for (int n = 0; n < 2; n++)
+            assert_true(apart(names[n].box, mark) &&
+                        (!points[i].labelled || apart(names[n].box, points[i].text)));
         for (int j = 0; j < MANY; j++) {
-            bool apart = fabs(points[i].mark_x - points[j].mark_x) >= 2 * LAYOUT_MARK ||
-                         fabs(points[i].mark_y - points[j].mark_y) >= 2 * LAYOUT_MARK;
-            LayoutBox a = points[i].text, b = points[j].text;
-            bool labels_apart =
-                a.left >= b.right || b.left >= a.right || a.top >= b.bottom || b.top >= a.bottom;
-            assert_true(i == j || apart);
-            assert_true(i == j || !points[i].labelled || !points[j].labelled || labels_apart);
+            bool marks_apart = fabs(points[i].mark_x - points[j].mark_x) >= 2 * LAYOUT_MARK ||
+                               fabs(points[i].mark_y - points[j].mark_y) >= 2 * LAYOUT_MARK;
+            assert_true(i == j || marks_apart);
+            assert_true(i == j || !points[i].labelled || !points[j].labelled ||
+                        apart(points[i].text, points[j].text));
         }
     }
     assert_true(labelled > 2);

@@ -15,6 +15,7 @@
 #include "base/places.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
+#include "exam/nursery_client.h"
 
 #include <math.h>
 #include <signal.h>
@@ -28,6 +29,7 @@ static const float SECONDS = 1; // of those that must be stopped
 
 static struct {
     const Jail *jail; // NULL: outside
+    bool nursery;     // the workers are forked, not started
     char parts[FILES_PATH], secret[FILES_PATH], result[FILES_PATH], root[FILES_PATH];
     char folder[FILES_PATH]; // of all temporary files
     int passed, failed;
@@ -183,7 +185,8 @@ static void run_case(const char *file, void *context) {
     (void)context;
     if (!strstr(file, ".c"))
         return;
-    one = (AttackCase){.client = {.trust = TRUST_NOBODY, .jail = suite.jail, .seconds = 20}};
+    one = (AttackCase){
+        .client = {.trust = TRUST_NOBODY, .jail = suite.jail, .quick_shaders = suite.nursery, .seconds = 20}};
     check_clear();
     bool ok = case_read(&one, file);
     bool left_out = ok && ((!suite.jail && !one.outside) ||
@@ -271,15 +274,18 @@ static bool prepare(void) {
 
 int main(int count, char **arguments) {
     static Jail jail;
-    JailRoute route = JAIL_NONE;
+    JailRoute route = JAIL_BWRAP;
     bool outside = count == 2 && strcmp(arguments[1], "outside") == 0;
     signal(SIGPIPE, SIG_IGN);
-    bool ok = count == 2 && (outside || jail_parse_route(&route, arguments[1])) && prepare() &&
-              (outside || jail_create(&jail, route));
+    suite.nursery = count == 2 && strcmp(arguments[1], "nursery") == 0;
+    bool ok = count == 2 && (outside || suite.nursery || jail_parse_route(&route, arguments[1])) &&
+              prepare() && (outside || jail_create(&jail, route));
     suite.jail = outside ? NULL : &jail;
     ok = ok && files_list(suite.parts, run_case, NULL);
     if (!ok)
         fprintf(stderr, "hostile: %s\n", check_message());
+    const bool forked = nursery_stop();
+    verdict("the nursery", forked != suite.nursery ? "it was there, or not" : NULL, "");
     jail_destroy(&jail);
     if (ok)
         judge_leftovers();

@@ -28,8 +28,8 @@ PYTHON
 is() { [[ $2 == "$3" ]] && ok || bad "$1" "$2, not $3"; }
 
 # A class with a list: everybody has a row, by number or by name, and the means are of those who handed in.
-grades --class "$class" --output "$output" --lab 03 --seed 4 --roster "$work/roster.csv"
-expect "a class with a list" 0 'roster: "guest": not on the roster' "1 of 4 handed in nothing" "4 submissions, 0 not graded"
+grades --class "$class" --output "$output" --lab 03 --seed 4 --roster "$work/roster.csv" --copies
+expect "a class with a list, and copies in the same run" 0 "pairs of hand-ins have code in common" 'roster: "guest": not on the roster' "1 of 4 handed in nothing" "4 submissions, 0 not graded"
 is "by number, without zeros" "$(row "Ann Lee" "lab 03" status id note)" "1|100.00|passed|00101|"
 is "by name, with accents" "$(row "Zoë Ñandú" "lab 03" id)" "1|100.00|zoe@example.org"
 is "who handed in nothing" "$(row 104 student "lab 03" total status submission)" "1|'=Cmd()|||not handed in|"

@@ -34,12 +34,18 @@ hostile=$root/$BUILD/hostile
 run bwrap env SHADOW_LAB_QUICK=1 "$hostile" bwrap
 run landlock "$hostile" landlock
 wait
+run nursery env SHADOW_LAB_QUICK=1 "$hostile" nursery
+wait
 count bwrap
 count landlock
+count nursery
 if ((EUID == 0 && ${#nobody[@]})); then
     run bwrap-as-user env SHADOW_LAB_QUICK=1 "${nobody[@]}" "$hostile" bwrap
     run landlock-as-user env SHADOW_LAB_QUICK=1 "${nobody[@]}" "$hostile" landlock
     wait
+    run nursery-as-user env SHADOW_LAB_QUICK=1 "${nobody[@]}" "$hostile" nursery
+    wait
+    count nursery-as-user
     count bwrap-as-user
     count landlock-as-user
 fi

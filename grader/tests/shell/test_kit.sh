@@ -108,7 +108,7 @@ names=$(make -C "$kit" -n --no-print-directory EMBREE= programs 2>/dev/null | gr
 
 # Each command of make that its texts name is there; what is not is said in one line.
 in_kit() { status=0; out=$(make -C "$kit" --no-print-directory "$@" 2>&1) || status=$?; }
-named=$(cat "$kit"/README.md "$kit"/labs/*/README.md "$kit"/common/DEBUGGING.md | grep -oE '\bmake [a-z-]+( [A-Z]+=[0-9.]+)?' | sort -u | grep -vE '^make (even|sure|it|the|a|no|your|one|its|two|them|what|all|this|up|something|an|that)\b')
+named=$(cat "$kit"/README.md "$kit"/labs/*/README.md "$kit"/common/DEBUGGING.md | grep -oE '(^|`)make [a-z-]+( [A-Z]+=[0-9.]+)?' | tr -d '`' | sort -u | grep -vE '^make (even|sure|it|the|a|no|your|one|its|two|them|what|all|this|up|something|an|that)\b')
 while read -r _ target operand; do
     in_kit -n "$target" $operand
     [[ $status == 0 ]] && ok || bad "make $target is named in the kit" "$out"

@@ -61,6 +61,39 @@ cmp -s -n "$(wc -c <"$work/before")" "$work/before" "$work/two/state" && ok || b
     bad "each setting has 4 frames in all"
 [[ $(table "$work/two/chart.csv" '{r["frames"] for r in rows if r["lab"] != "rays"}') == "{'4'}" ]] && ok || bad "the table counts them"
 
+# The tables of the README are made from those of a study; one that lacks a filter makes none.
+mkdir -p "$work/copy/grader/study"
+cp -r "$root/grader/scripts" "$work/copy/grader"
+cp "$root/grader/study/README.md" "$work/copy/grader/study"
+findings() { status=0; out=$("$work/copy/grader/scripts/findings" "$@" 2>&1) || status=$?; }
+findings "$work/two" "$root/README.md"
+expect "the tables of a study" 0
+best=$(table "$work/two/chart.csv" 'min((float(r["rmse"]), r["method"]) for r in rows if r["scene"] == "edges" and r["lab"] == "05" and
+    r["setting"] == "4096 x 4096" and r["method"] in ("hard", "linear", "box 5 x 5", "3 x 3 by gathers"))[1].replace(" 5 x 5", "").replace("3 x 3 by ", "")')
+grep -q "^| the root of the mean square |.* | $best |$" "$work/copy/grader/study/README.md" && ok || bad "the table names the filter with the least RMSE" "$best"
+grep -q '^| edges | [0-9.]* | [0-9.]* % of 0.01 | [0-9.]* | [0-9.]* % of 0.5 |$' "$work/copy/grader/study/README.md" && ok || bad "the table has the truth's noise"
+grep -q '^1 scenes in both' "$work/copy/grader/study/README.md" && ok || bad "the table compares two studies"
+sed -i '/"linear"/d' "$work/two/chart.csv"
+findings "$work/two"
+expect "a study that lacks a filter" 1 "the scene edges lacks filters"
+findings "$work/nowhere"
+expect "no study" 2 "chart.csv is missing"
+findings "$work/one" "$work/nowhere"
+expect "no earlier study" 2 "nowhere is missing"
+
+# Faster ways to the same picture: a box from fewer lookups, a map that is kept, one of casters alone.
+studies --scene "faster edges" --lab 05 --submission "$(solved fast 05)" --trusted --output "$work/faster"
+expect "filters that are faster" 0 "faster edges: "
+same='len({r["error"] for r in rows if r["method"] in (%s) and r["setting"] == "256 x 256"})'
+for kind in '"linear", "linear, the map is kept", "linear, a map of casters"'; do
+    [[ $(table "$work/faster/chart.csv" "${same/\%s/$kind}") == 1 ]] && ok || bad "$kind draw the same"
+done
+theirs='{r["method"] for r in rows if r["whose"] == "submission"}'
+[[ $(table "$work/faster/chart.csv" "'box 5 x 5, 9 gathers' in $theirs and 'linear, the map is kept' not in $theirs") == True ]] && ok ||
+    bad "a submission is charted with changes of its shaders only" "$(table "$work/faster/chart.csv" "$theirs")"
+near='(lambda e: max(e) - min(e) < 2e-4 < max(e))([float(r["error"]) for r in rows if r["method"].startswith("box") and r["setting"] == "1024 x 1024"])'
+[[ $(table "$work/faster/chart.csv" "$near") == True ]] && ok || bad "all boxes of 5 x 5 err alike"
+
 # A submission without bias lies far off; the solution as a submission lies on our points.
 submission=$(solved wrong 05)
 sed -i 's/glPolygonOffset(2 \* reach, 2)/glPolygonOffset(0, 0)/' "$submission"/05-*/lab.c

@@ -18,7 +18,7 @@ name="map pass at another map size"
 refused=$(solved refused 03)
 sed -i 's/^    frame_bind(frame);/    frame_bind(frame);\n    glViewport(0, 0, -1, -1);/' "$refused"/03-*/lab.c
 grades --lab 03 --seed 1 --format json "$refused"
-[[ $status == 1 && $(field 'r["score"]') == 50.0 ]] && ok || bad "a refused call halves the points" "$out"
+[[ $status == 1 && $(field 'r["score"]') == 52.5 ]] && ok || bad "a refused call halves the points" "$out"
 [[ $(field 'r["labs"][0]["warnings"]') == *"GL_INVALID_VALUE in glViewport (lab.c:"* ]] && ok || bad "the refused call is named" "$out"
 [[ $(check "the whole picture" cause) == *"OpenGL refused a call"* ]] && ok || bad "the cause is the call" "$out"
 sed -i 's/glViewport(0, 0, -1, -1)/glEnable(GL_TEXTURE_2D)/' "$refused"/03-*/lab.c

@@ -111,7 +111,23 @@ fi
     bad "two windows at once" "$(cat "$work/second")"
 close_window
 
+# The names at the split, and the legend, come and go with the text (key H).
+lettered() { # AREA: white letters stand on the dark ground there
+    picture && [[ $(convert "$work/now.png" -crop "$1" +repage -colorspace gray -format '%[fx:minima < 0.2 && maxima > 0.95 && mean < 0.5]' info:) == 1 ]]
+}
+size=640x480 lab=07 scene=nested open_window --show split --view "stencil counts" --knob method=1
+wait_for "the split" titled "mine | reference"
+wait_for "both pictures" picture
+sleep 1
+lettered 90x20+324+241 && bad "names without text" || ok
+keys h
+wait_for "yours" lettered 60x20+254+241
+wait_for "reference" lettered 90x20+324+241
+wait_for "the legend" lettered 120x160+525+160
+close_window
+
 # Labs that do not draw: a reason, and no picture.
+lab=03 scene="table spot" size=240x180
 solved broken >/dev/null
 echo 'int x = "text" +;' >>"$work/broken/03-shadow-map/lab.c"
 rm -f "$work/shot.png"

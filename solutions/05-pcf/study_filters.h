@@ -1,0 +1,25 @@
+// What this lab's files of the study share: the scene of plates, and filters in shaders of their own.
+#pragma once
+
+#include "study/study_scene.h"
+
+#define FASTER "faster edges" // a scene's name
+
+typedef struct Filter {
+    const char *family;
+    int method, radius, taps; // knobs; lookups a pixel
+    float kernel;             // farthest tap from the point, texels
+} Filter;
+
+// An edit: the choice of the method is a constant of the shader.
+#define FILTER_FIXED(method)                                                                                 \
+    { "shadow.frag", "uniform int u_method;", "const int u_method = " method ";" }
+
+enum { FILTERS_FIXED = 6 };
+extern const Change filters_fixed[FILTERS_FIXED]; // by the number of the method, each with that one edit
+
+// Plates before a wall, both square to the light.
+void filters_make_edges(Scene *scene);
+
+// Adds the filter with a map of this size, in the shader in which it is fixed.
+Method *filters_add(MethodList *list, Filter filter, int size);
