@@ -26,9 +26,16 @@ void remark_call(const char *name) {
     static const struct {
         const char *call, *what;
     } makers[] = {
-        {"glGenTextures", "a texture"},           {"glGenFramebuffers", "a framebuffer"},
-        {"glGenRenderbuffers", "a renderbuffer"}, {"glCreateProgram", "a program"},
-        {"glTexImage2D", "a texture's storage"},  {"glTexImage3D", "a texture's storage"},
+        {"glGenTextures", "a texture"},
+        {"glGenFramebuffers", "a framebuffer"},
+        {"glGenRenderbuffers", "a renderbuffer"},
+        {"glCreateProgram", "a program"},
+        {"glTexImage2D", "a texture's storage"},
+        {"glTexImage3D", "a texture's storage"},
+        {"glGenBuffers", "a buffer"},
+        {"glGenVertexArrays", "a vertex array"},
+        {"glGenSamplers", "a sampler"},
+        {"glGenQueries", "a query"},
     };
     char line[200] = "";
     if (!in_passes)

@@ -190,21 +190,6 @@ static void describe(CheckResult *check, int c, const Diagnosis *this) {
                    &exam->variants[c][check->worst].reference, error_view_of(check->check, exam->rubric));
 }
 
-// Of the first failed check that can tell: was it right if it were the first frame?
-static void look_at_first_frame(Diagnosis *this, const WorkerClient *student) {
-    LabResult *result = this->result;
-    int order[EXAM_MAX_VARIANTS];
-    exam_order(this->exam, 0, order);
-    for (int c = 0; c < result->check_count; c++) {
-        const CheckResult *check = &result->checks[c];
-        const bool is_first = c == 0 && check->worst == order[0];
-        if (!this->failed[c] || !check->yours[check->worst].rgba || is_first)
-            continue;
-        result->first_only = first_frame_is_right(check, this->exam, c, student);
-        return;
-    }
-}
-
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {
     const Rubric *rubric = this->exam->rubric;
     for (int c = 0; c < this->result->check_count; c++) {
@@ -226,15 +211,27 @@ static void name_failed(Diagnosis *this, const char *mistake, const char *hint) 
     }
 }
 
+// A picture of one colour, or without any edge of a shadow, has many causes. Where nobody has compared the
+// words, a known mistake that draws it is an example and no name.
+static bool is_example(const Diagnosis *this) {
+    return this->named.first >= 0 && this->named.looks != NAMED_SHOWN && this->result->fault.reset &&
+           this->result->fault.count > 0;
+}
+
 static void name_faults(Diagnosis *this) {
-    char cause[256], hint[1500];
+    char cause[256], hint[1500], example[160] = "";
     const Rubric *rubric = this->exam->rubric;
+    if (is_example(this)) {
+        snprintf(example, sizeof example, "; one mistake that looks so: %s", rubric->mistakes[this->named.first].name);
+        this->named.first = -1;
+    }
     const bool named = this->named.first >= 0;
     if (named) {
         wording_names(cause, sizeof cause, &this->named, rubric);
         snprintf(hint, sizeof hint, "%s", rubric->mistakes[this->named.first].hint);
     } else {
         wording_cause(cause, sizeof cause, hint, sizeof hint, this->result, &this->suspects, rubric);
+        check_append(cause, sizeof cause, "%s", example);
     }
     name_failed(this, cause, hint);
     wording_summary(this->result, named ? cause : NULL, &this->suspects, NULL, rubric);
@@ -290,7 +287,7 @@ bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, FaultS
     if (!find_fault(&this, student, search))
         return false;
     if (search != FAULT_BY_PICTURES)
-        look_at_first_frame(&this, student);
+        result->first_only = first_frame_find(result, exam, this.failed, student);
     name_faults(&this);
     return true;
 }

@@ -7,7 +7,7 @@
 
 static const double SECONDS = 2, PATIENCE = 5; // of processor time, and of the clock
 
-bool first_frame_is_right(const CheckResult *check, const Exam *exam, int c, const WorkerClient *student) {
+static bool is_right(const CheckResult *check, const Exam *exam, int c, const WorkerClient *student) {
     static WorkerClient worker;
     static Reply reply;
     const Variant *variant = &exam->variants[c][check->worst];
@@ -25,4 +25,17 @@ bool first_frame_is_right(const CheckResult *check, const Exam *exam, int c, con
     worker_client_stop(&worker);
     image_destroy(&picture);
     return right;
+}
+
+bool first_frame_find(const LabResult *result, const Exam *exam, const bool failed[],
+                      const WorkerClient *student) {
+    int order[EXAM_MAX_VARIANTS];
+    exam_order(exam, 0, order);
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        const bool is_first = c == 0 && check->worst == order[0];
+        if (failed[c] && check->yours[check->worst].rgba && !is_first)
+            return is_right(check, exam, c, student);
+    }
+    return false;
 }

@@ -35,13 +35,19 @@ typedef struct ResetSearch {
     bool stopped;
 } ResetSearch;
 
+// Where the submission has drawn nothing at all, what the part changes in ours stands for what is wrong.
+static double count_wrong(const CheckResult *check, const Variant *variant, const Image *shown) {
+    const Image *yours = &check->yours[check->worst];
+    return (double)score_count(yours->rgba ? yours : shown, &variant->reference);
+}
+
 static bool is_like(const ResetSearch *search, int p, int c, const Image *picture, const FrameFacts *facts) {
     const CheckResult *check = &search->lab.result->checks[c];
     const LatePicture *late = &search->exam->resets[p][c][check->worst];
     const Variant *variant = &search->exam->variants[c][check->worst];
-    const double wrong = (double)score_count(&check->yours[check->worst], &variant->reference);
+    const Image *shown = exam_shown(late, variant);
     return !frame_wrong_size(facts, &late->facts) && facts->refused == late->facts.refused &&
-           (double)score_count(picture, exam_shown(late, variant)) <= REST * wrong;
+           (double)score_count(picture, shown) <= REST * count_wrong(check, variant, shown);
 }
 
 static void note_check(void *context, int c, const Image *picture, const FrameFacts *facts) {
@@ -89,7 +95,7 @@ static bool is_of_c(const char *name) {
 static void try_untouched(ResetSearch *search) {
     for (int c = 0; c < search->lab.result->check_count; c++) {
         const CheckResult *check = &search->lab.result->checks[c];
-        if (search->lab.failed[c])
+        if (search->lab.failed[c] && check->yours[check->worst].rgba)
             note_check(search, c, &check->yours[check->worst], &check->facts[check->worst]);
     }
 }
@@ -236,43 +242,17 @@ static void know_tasks(ResetFound *found, ResetSearch *search) {
     }
 }
 
-void reset_part(FaultPart *part, const Parts *parts, int p) {
-    const Rubric *rubric = parts->rubric;
-    int count = 0;
-    *part = (FaultPart){.file = rubric->files[parts->list[p].file], .whole = parts->list[p].whole};
-    snprintf(part->function, sizeof part->function, "%s", parts->list[p].function);
-    memcpy(part->ours, part->function, sizeof part->ours);
-    for (int t = 0; t < rubric->hint_count && count < FAULT_TASKS; t++)
-        if (parts_have_task(parts, p, rubric->hints[t].task))
-            part->tasks[count++] = rubric->hints[t].task;
-}
-
-static bool has_suspect(const Parts *parts, int p, const Suspects *suspects) {
-    for (int i = 0; i < suspects->count; i++)
-        if (parts_have_task(parts, p, parts->rubric->hints[suspects->tasks[i]].task))
-            return true;
-    return false;
-}
-
-static bool is_meant(const ResetFound *found, const Suspects *suspects, const Parts *parts, int p) {
-    return found->both || suspects->count == 0 || has_suspect(parts, p, suspects);
-}
-
-void reset_note(Fault *fault, const ResetFound *found, const Suspects *suspects, const Parts *parts) {
-    int count = 0;
-    *fault = (Fault){.reset = true};
-    for (int p = 0; p < parts->count; p++) {
-        const bool meant = is_meant(found, suspects, parts, p);
-        if (found->unknown[p] && suspects->count > 0 && meant) // nothing is proved of it
-            return;
-        count += found->parts[p] && meant;
+// The failed checks of which there is a picture; all of them where nothing was drawn at all, as create()
+// fails.
+static void choose_checks(MixedLab *lab, const bool failed[]) {
+    const LabResult *result = lab->result;
+    bool any = false;
+    for (int c = 0; c < result->check_count; c++)
+        any = any || result->checks[c].yours[0].rgba;
+    for (int c = 0; c < result->check_count; c++) {
+        lab->failed[c] = failed[c] && (!any || result->checks[c].yours[0].rgba);
+        lab->failed_count += lab->failed[c];
     }
-    for (int p = 0; p < parts->count && count <= FAULT_PARTS; p++)
-        if (found->parts[p] && is_meant(found, suspects, parts, p))
-            reset_part(&fault->parts[fault->count++], parts, p);
-    fault->either = fault->count > 1 && !found->both;
-    fault->failed = fault->repaired = found->failed;
-    fault->stopped = found->stopped;
 }
 
 bool reset_find(ResetFound *found, const LabResult *result, Exam *exam, const WorkerClient *student,
@@ -281,10 +261,7 @@ bool reset_find(ResetFound *found, const LabResult *result, Exam *exam, const Wo
     *found = (ResetFound){0};
     search = (ResetSearch){.exam = exam, .open = tasks, .parts = exam_parts(exam), .began = process_now()};
     const bool ok = search.parts && mixed_lab_open(&search.lab, result, exam, student, NULL);
-    for (int c = 0; c < result->check_count; c++) {
-        search.lab.failed[c] = failed[c] && result->checks[c].yours[0].rgba;
-        search.lab.failed_count += search.lab.failed[c];
-    }
+    choose_checks(&search.lab, failed);
     if (ok && search.lab.failed_count > 0) {
         try_parts(&search);
         find_candidates(found, &search);

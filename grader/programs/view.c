@@ -6,6 +6,7 @@
 #include "scene/check.h"
 #include "window/keys.h"
 #include "diagnose/result.h"
+#include "watch/view_verdict.h"
 #include "window/window.h"
 
 #define GLFW_INCLUDE_NONE
@@ -24,6 +25,7 @@ static struct {
     AppOptions options;
     App app;
     Window window;
+    ViewVerdict verdict;
     double mouse_x, mouse_y, start;
     int buttons;      // bits
     bool drags_split; // since the button went down
@@ -172,6 +174,18 @@ static void tell_problem(void) {
         fprintf(stderr, "view: %s\n", clean);
 }
 
+// One line of where to look, in the window and in the terminal.
+static void tell_verdict(void) {
+    static char clean[2 * sizeof view.app.verdict];
+    if (view.options.screenshot || !view_verdict_tick(&view.verdict, &view.app))
+        return;
+    view.redraw = true;
+    result_clean(clean, sizeof clean, view.app.verdict);
+    if (clean[0] && !view.verdict.grading.busy)
+        printf("%s\n", clean);
+    fflush(stdout);
+}
+
 // Something on the screen changes by itself: a clock of what is late, a notice that goes.
 static bool is_restless(void) {
     for (int i = 0; i < FEED_COUNT; i++)
@@ -212,6 +226,7 @@ static bool turn(void) {
         !glfwGetWindowAttrib(view.window.handle, GLFW_ICONIFIED))
         show();
     tell_problem();
+    tell_verdict();
     if (view.options.screenshot && view.app.settled) {
         save_as(view.options.screenshot);
         view.failed = view.failed || view.app.news[FEED_MINE].problem[0];
@@ -233,6 +248,7 @@ static bool run(void) {
     }
     while (ok && turn())
         ;
+    view_verdict_stop(&view.verdict);
     app_destroy(&view.app);
     view.opened = false;
     window_close(&view.window);

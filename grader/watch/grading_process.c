@@ -89,6 +89,15 @@ static void send_early(const LabResult *result, void *context) {
     send_verdict(&verdict, early->verdicts);
 }
 
+static void find_folder(char folder[FILES_PATH], int lab, const GradingOptions *options) {
+    const Rubric *rubric = &options->rubrics[lab];
+    if (options->lab_folder)
+        snprintf(folder, FILES_PATH, "%s", options->lab_folder);
+    else if (!places_find_lab_in(folder, options->folder, rubric->id))
+        snprintf(folder, FILES_PATH, "%s/%s", options->folder, strrchr(rubric->folder, '/') + 1);
+    check_clear();
+}
+
 static void grade(LabVerdict *verdict, Kept *kept, int lab, const GradingOptions *options, int verdicts) {
     static LabResult result;
     char folder[FILES_PATH];
@@ -103,10 +112,7 @@ static void grade(LabVerdict *verdict, Kept *kept, int lab, const GradingOptions
     memset(verdict, 0, sizeof *verdict);
     check_clear();
     bool ready = keep(kept, lab, options);
-    if (!places_find_lab_in(folder, options->folder, options->rubrics[lab].id))
-        snprintf(folder, sizeof folder, "%s/%s", options->folder,
-                 strrchr(options->rubrics[lab].folder, '/') + 1);
-    check_clear();
+    find_folder(folder, lab, options);
     verdict->fault = !ready || !grade_lab(&result, &kept->examiner, folder, &how);
     copy_result(verdict, &result);
     if (verdict->fault)

@@ -29,7 +29,8 @@ typedef struct LabVerdict {
 } LabVerdict;
 
 typedef struct GradingOptions {
-    const char *folder; // shaped like labs/
+    const char *folder;     // shaped like labs/
+    const char *lab_folder; // or that of the one lab; NULL: none
     const Rubric *rubrics;
     uint64_t seed; // of all gradings
     ContextKind context;

@@ -47,6 +47,7 @@ typedef struct App {
     Difference difference;
     bool settled;        // `composed` is what the state asks for, as far as it can be had
     double last, looked; // process_now of the last tick, of the last look at the files
+    char verdict[800];   // where to look first, from who owns the window (watch/view_verdict.h); "": nothing
     char notice[200];    // for a while: what a key has done
     double notice_until;
 } App;

@@ -194,6 +194,7 @@ void hud_put(Text *text, const App *app, int width, int height, const int cursor
         add_state(app, &top);
         lines_add(&bottom, accent, process_now() < app->notice_until ? app->notice : "");
         lines_add(&bottom, accent, app->news[FEED_MINE].warning);
+        lines_add(&bottom, accent, app->verdict);
         add_difference(app, &bottom);
         for (FeedKind kind = 0; kind < FEED_COUNT; kind++)
             add_times(app, kind, &bottom);

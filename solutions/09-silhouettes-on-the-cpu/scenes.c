@@ -68,6 +68,28 @@ static void make_sun(Scene *scene, Random *random) {
     add_light(scene, random, LIGHT_DIRECTIONAL);
 }
 
+// Two boxes of whose faces three are lit, turned so that the edge between +x and -z is nearest to the light:
+// the mesh begins with it. Few edges and no floor with its long diagonal, so that one that stays is a large
+// part of them.
+static void make_boxes(Scene *scene, Random *random) {
+    part_begin(scene, random);
+    LightKind kind = random_int(random, 0, 1) ? LIGHT_DIRECTIONAL : LIGHT_POINT;
+    float side = random_int(random, 0, 1) ? 1 : -1;
+    float azimuth =
+        glm_deg(atan2f(scene->camera.eye.x, scene->camera.eye.z)) + side * random_range(random, 45, 80);
+    vec3s place = part_orbit(vec3_make(0, 0, 0), azimuth, random_range(random, 35, 55), 8);
+    for (int i = 0; i < 2; i++) {
+        vec3s half = vec3_make(random_range(random, 0.6f, 0.8f), random_range(random, 0.5f, 0.7f),
+                               random_range(random, 0.6f, 0.8f));
+        vec3s center = vec3_make(2.2f * (float)i - 1.1f, half.y + random_range(random, 0.2f, 0.6f),
+                                 random_range(random, -0.5f, 0.5f));
+        vec3s toward = kind == LIGHT_DIRECTIONAL ? place : glms_vec3_sub(place, center);
+        float turn = glm_deg(atan2f(toward.x, toward.z)) - 90 - random_range(random, 25, 65);
+        part_object(scene, SHAPE_BOX, center, half, turn, part_color(random));
+    }
+    part_light(scene, kind, place, vec3_make(0, 0, 0));
+}
+
 // Open sheets; some look to the light, and some away from it.
 static void make_sheets(Scene *scene, Random *random) {
     part_begin(scene, random);
@@ -176,7 +198,11 @@ static void make_near_cut(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"edges lamp", make_lamp},          {"edges sun", make_sun},
-    {"edges sheets", make_sheets},      {"eye in volumes", make_eye},
-    {"near plane cuts", make_near_cut}, {0},
+    {"edges lamp", make_lamp},
+    {"edges sun", make_sun},
+    {"edges boxes", make_boxes},
+    {"edges sheets", make_sheets},
+    {"eye in volumes", make_eye},
+    {"near plane cuts", make_near_cut},
+    {0},
 };

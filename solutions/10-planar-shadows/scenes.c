@@ -56,6 +56,39 @@ static void make_own(Scene *scene, Random *random) {
     }
 }
 
+// A sheet with this normal, which the camera sees well.
+static void add_sheet(Scene *scene, Random *random, vec3s middle, vec3s normal) {
+    float size = random_range(random, 0.5f, 0.8f);
+    vec3s right = glms_vec3_normalize(glms_vec3_cross(vec3_make(0.2f, 1, 0.1f), normal));
+    mat4s *placed = &part_object(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), 0, part_color(random))
+                         ->world_from_object;
+    placed->col[0] = glms_vec4(glms_vec3_scale(right, size), 0);
+    placed->col[1] = glms_vec4(normal, 0);
+    placed->col[2] = glms_vec4(glms_vec3_scale(glms_vec3_cross(right, normal), size), 0);
+}
+
+// Two sheets that the sun grazes, one from before and one from behind, on two sides of the middle.
+static void make_grazing(Scene *scene, Random *random) {
+    part_begin(scene, random);
+    vec3s view = glms_vec3_normalize(scene->camera.eye);
+    vec3s across = glms_vec3_normalize(glms_vec3_cross(vec3_make(0, 1, 0), view));
+    vec3s up = glms_vec3_cross(view, across);
+    float side = random_int(random, 0, 1) ? 1 : -1, turn = random_range(random, 0, 2 * GLM_PIf);
+    vec3s sun =
+        part_orbit(vec3_make(0, 0, 0), glm_deg(atan2f(view.x, view.z)) + side * random_range(random, 60, 90),
+                   random_range(random, 15, 45), 9);
+    vec3s toward = glms_vec3_normalize(sun);
+    vec3s best = glms_vec3_normalize(glms_vec3_muladds(toward, -glms_vec3_dot(toward, view), view));
+    vec3s aside = glms_vec3_add(glms_vec3_scale(across, cosf(turn)), glms_vec3_scale(up, sinf(turn)));
+    for (int i = 0; i < 2; i++) {
+        float facing = random_range(random, 0.065f, 0.09f) * (i ? 1 : -1);
+        vec3s normal = glms_vec3_scale(best, sqrtf(1 - facing * facing));
+        float away = random_range(random, 0.8f, 1.1f) * (i ? 1 : -1);
+        add_sheet(scene, random, glms_vec3_scale(aside, away), glms_vec3_muladds(toward, facing, normal));
+    }
+    sun_from(scene, random, sun);
+}
+
 // A sun straight above a level floor at any height.
 static void make_noon(Scene *scene, Random *random) {
     part_begin(scene, random);
@@ -164,9 +197,15 @@ static void make_wide(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"planar own", make_own},         {"planar noon", make_noon},
-    {"planar lamp", make_lamp},       {"planar sun", make_sun},
-    {"planar between", make_between}, {"planar low", make_low},
-    {"planar table", make_table},     {"planar glass", make_glass},
-    {"planar wide", make_wide},       {0},
+    {"planar own", make_own},
+    {"planar grazing", make_grazing},
+    {"planar noon", make_noon},
+    {"planar lamp", make_lamp},
+    {"planar sun", make_sun},
+    {"planar between", make_between},
+    {"planar low", make_low},
+    {"planar table", make_table},
+    {"planar glass", make_glass},
+    {"planar wide", make_wide},
+    {0},
 };

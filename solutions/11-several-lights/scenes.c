@@ -3,9 +3,15 @@
 
 enum { OVERHEAD_ONE_IN = 5 };
 
-// Colours that differ, dim enough for the sum of `count` lights to stay below white.
+// Colours that differ, dim enough for the sum of `count` lights to stay below white. The first three of
+// several have one channel each: no channel alone tells whether a light brings anything.
 static vec3s light_color(Random *random, int i, int count) {
     float strength = 0.9f / (float)count;
+    if (count > 2 && i < 3) {
+        vec3s color = vec3_make(0, 0, 0);
+        color.raw[i] = strength * random_range(random, 1.2f, 1.6f);
+        return color;
+    }
     vec3s color = vec3_make(strength, strength, strength);
     color.raw[i % 3] *= random_range(random, 0.1f, 0.4f);
     color.raw[(i + 1) % 3] *= random_range(random, 0.7f, 1);

@@ -86,26 +86,28 @@ static void make_casters(Scene *scene, Random *random) {
     light_from(scene, random, 30, 65);
 }
 
-// Where the map says nothing: half of the picture lies behind a spot light, or beyond the sides and the far
-// plane of a small map.
-static void make_beyond(Scene *scene, Random *random) {
+// Where the map says nothing: half of the picture lies behind a spot light.
+static void make_beyond_spot(Scene *scene, Random *random) {
     begin(scene, random);
     float_casters(scene, random, 3, 0.5f, 1.2f);
-    if (random_int(random, 0, 1)) {
-        vec3s place = vec3_make(random_range(random, -1.5f, 1.5f), random_range(random, 1.5f, 2.2f),
-                                random_range(random, -1, 0));
-        float side = place.x < 0 ? 1 : -1;
-        Light *light = part_light(scene, LIGHT_SPOT, place,
-                                  glms_vec3_add(place, vec3_make(3 * side, random_range(random, -2, -1), 0)));
-        light->near_plane = 0.3f;
-        light->color = warm();
-    } else {
-        vec3s place = part_above(random, 40, 60, 10);
-        Light *light = part_light(scene, LIGHT_DIRECTIONAL, place, vec3_make(0, 0, 0));
-        light->half_size = random_range(random, 1.6f, 2.2f);
-        light->far_plane = random_range(random, 9, 10);
-        light->color = warm();
-    }
+    vec3s place = vec3_make(random_range(random, -1.5f, 1.5f), random_range(random, 1.5f, 2.2f),
+                            random_range(random, -1, 0));
+    float side = place.x < 0 ? 1 : -1;
+    Light *light = part_light(scene, LIGHT_SPOT, place,
+                              glms_vec3_add(place, vec3_make(3 * side, random_range(random, -2, -1), 0)));
+    light->near_plane = 0.3f;
+    light->color = warm();
+}
+
+// ... or beyond the sides and the far plane of a small map.
+static void make_beyond_sun(Scene *scene, Random *random) {
+    begin(scene, random);
+    float_casters(scene, random, 3, 0.5f, 1.2f);
+    vec3s place = part_above(random, 40, 60, 10);
+    Light *light = part_light(scene, LIGHT_DIRECTIONAL, place, vec3_make(0, 0, 0));
+    light->half_size = random_range(random, 1.6f, 2.2f);
+    light->far_plane = random_range(random, 9, 10);
+    light->color = warm();
 }
 
 // One caster beside the eye's way.
@@ -231,11 +233,19 @@ static void make_gate(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"dust bare", make_bare},       {"dust thin", make_thin},
-    {"dust casters", make_casters}, {"dust beyond", make_beyond},
-    {"dust one", make_one},         {"dust inside", make_inside},
-    {"dust cut", make_cut},         {"dust apart", make_apart},
-    {"dust overlap", make_overlap}, {"dust gate", make_gate},
-    {"dust faint", make_faint},     {"dust before", make_before},
-    {"dust behind", make_behind},   {0},
+    {"dust bare", make_bare},
+    {"dust thin", make_thin},
+    {"dust casters", make_casters},
+    {"dust beyond spot", make_beyond_spot},
+    {"dust one", make_one},
+    {"dust beyond sun", make_beyond_sun},
+    {"dust cut", make_cut},
+    {"dust inside", make_inside},
+    {"dust apart", make_apart},
+    {"dust overlap", make_overlap},
+    {"dust gate", make_gate},
+    {"dust faint", make_faint},
+    {"dust before", make_before},
+    {"dust behind", make_behind},
+    {0},
 };
