@@ -222,7 +222,8 @@ static void name_faults(Diagnosis *this) {
     char cause[256], hint[1500], example[160] = "";
     const Rubric *rubric = this->exam->rubric;
     if (is_example(this)) {
-        snprintf(example, sizeof example, "; one mistake that looks so: %s", rubric->mistakes[this->named.first].name);
+        snprintf(example, sizeof example, "; one mistake that looks so: %s",
+                 rubric->mistakes[this->named.first].name);
         this->named.first = -1;
     }
     const bool named = this->named.first >= 0;
