@@ -73,7 +73,9 @@ bool predictions_take(Predictions *predictions, const Rubric *rubric, const char
         return true;
     check_clear();
     errno = 0;
-    if (!find_file(found, folder, PREDICTION_FILE) && !blame_is_ours(errno)) {
+    if (!find_file(found, folder, PREDICTION_FILE)) {
+        if (check_message()[0] && blame_is_ours(errno))
+            return false;
         snprintf(predictions->message, sizeof predictions->message, "no prediction is handed in");
         check_clear();
         return true;
