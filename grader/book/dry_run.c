@@ -9,6 +9,7 @@
 #include "grade/found_lab.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
+#include "predict/predictions.h"
 #include "scene/check.h"
 
 #include <stdio.h>
@@ -55,6 +56,14 @@ static void print_time(const HandInLook *look, int i, const HandInFacts *facts, 
         printf("    late, by its name\n");
 }
 
+static void print_predictions(HandInLook *look, const Rubric *rubric, const char *folder) {
+    static Predictions predictions; // too large for a stack
+    predictions_begin(&predictions, rubric);
+    if (predictions.count > 0 && predictions_take(&predictions, rubric, folder) && predictions.message[0])
+        warn(look, predictions.message);
+    check_clear();
+}
+
 // The files that would be taken, under the names that they have there; what is wrong with one of them.
 static void print_files(HandInLook *look, const Rubric *rubric, const char *folder) {
     char found[FIND_FILE_NAME];
@@ -77,6 +86,7 @@ static void print_files(HandInLook *look, const Rubric *rubric, const char *fold
         free(text);
     }
     check_clear();
+    print_predictions(look, rubric, folder);
 }
 
 // False when nothing of the lab was found.
