@@ -8,6 +8,7 @@
 #include "scene/check.h"
 #include "shadow_map.h"
 #include "window/guide_lines.h"
+#include "window/screen.h"
 
 #include <string.h>
 
@@ -89,7 +90,7 @@ static void end(void) {
     glDisable(GL_CULL_FACE);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDepthMask(GL_TRUE);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, SCREEN_FRAMEBUFFER);
 }
 
 // Faces of the volumes before what is seen, near caps pushed back behind the faces on which they lie: as the

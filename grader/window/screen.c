@@ -49,7 +49,7 @@ static void draw_part(const Screen *screen, vec4s part, const Place *place, GLin
 }
 
 void screen_draw(const Screen *screen, int window_width, int window_height, const Place *place) {
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, SCREEN_FRAMEBUFFER);
     glViewport(0, 0, window_width, window_height);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT);

@@ -7,6 +7,8 @@
 
 #include <stdbool.h>
 
+enum { SCREEN_FRAMEBUFFER = 0 }; // the window's own
+
 typedef struct Screen {
     Program program;
     GLuint texture, array;

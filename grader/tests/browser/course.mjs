@@ -86,7 +86,8 @@ for (const name of readdirSync('solutions').filter((folder) => /^\d\d-/.test(fol
 }
 await page.goto(url('04-acne-and-bias.html'));
 await page.getByRole('link', { name: /mistakes that the grader knows/ }).click();
-check('the handout leads to the list, which unfolds', await page.locator('[id="04-mistakes"] li').first().isVisible());
+const unfolds = await page.locator('[id="04-mistakes"] li').first().waitFor({ timeout: 10000 }).then(() => true, () => false);
+check('the handout leads to the list, which unfolds', unfolds);
 check('the handout has the pairs, too', (await (await open(browser, url('04-acne-and-bias.html'))).locator('.pair').count()) >= 2);
 
 const phone = await browser.newContext({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true }), small = await phone.newPage();

@@ -65,7 +65,8 @@ for name in counts.keys() | said.keys():
     if counts.get(name) != said.get(name):
         say(f"{name}: the page says {said.get(name)}, and there are {counts.get(name)}")
 for lab in sorted(file.parent.name for file in pathlib.Path("solutions").glob("*/rubric.json")):
-    if lab not in named:
+    beyond = "goes beyond the lectures" in " ".join((pathlib.Path("solutions") / lab / "README.md").read_text().split())
+    if lab not in named and not beyond:
         say(f"no row names {lab}")
 print(counts["all"][0], "concepts", counts["all"][1], "graded")
 sys.exit(wrong > 0)
