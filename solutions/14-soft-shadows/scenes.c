@@ -67,11 +67,12 @@ static void make_posts(Scene *scene, Random *random) {
 static void make_low(Scene *scene, Random *random) {
     begin(scene, random);
     for (int i = 0; i < 9; i++) {
+        const int row = i / 3;
         float r = random_range(random, 0.12f, 0.22f);
         part_object(scene, i % 3 == 1 ? SHAPE_SPHERE : SHAPE_BOX,
                     vec3_make(1.1f * (float)(i % 3) - 1.1f + random_range(random, -0.2f, 0.2f),
                               r + random_range(random, 0.3f, 0.6f),
-                              1.1f * (float)(i / 3) - 1.1f + random_range(random, -0.2f, 0.2f)),
+                              1.1f * (float)row - 1.1f + random_range(random, -0.2f, 0.2f)),
                     vec3_make(r, r * random_range(random, 0.5f, 1), r), random_range(random, 0, 90),
                     part_color(random));
     }

@@ -103,7 +103,7 @@ run "$kit/grader/scripts/study_page" build
 expect "the study of no lab" 2 "make study LAB=05"
 
 # Where Embree is missing the kit builds all but the truth.
-names=$(make -C "$kit" -n --no-print-directory EMBREE= programs 2>/dev/null | grep -oE ' -o build/[a-z_]+ ' | sort -u)
+names=$(make -C "$kit" -n --no-print-directory BUILD=build EMBREE= programs 2>/dev/null | grep -oE ' -o build/[a-z_]+ ' | sort -u)
 [[ $names == *build/points* && $names == *build/grade* && $names != *truth_worker* ]] && ok || bad "without Embree" "$names"
 
 # Each command of make that its texts name is there; what is not is said in one line.
