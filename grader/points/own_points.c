@@ -3,6 +3,7 @@
 
 #include "base/statistics.h"
 #include "compile/lab_folder.h"
+#include "exam/exam.h"
 #include "scene/check.h"
 
 #include <math.h>
@@ -88,8 +89,7 @@ static bool time_frames(OwnLab *lab, const Request *request, double *millisecond
     bool ok = draw(lab, request, &image, &reply);
     for (int i = 0; ok && i < FRAMES; i++) {
         ok = draw(lab, request, &image, &reply);
-        for (int pass = 0; pass < LAB_MAX_PASSES; pass++)
-            times[i] += (double)reply.milliseconds[pass];
+        times[i] = (double)exam_milliseconds(&reply);
     }
     *milliseconds = statistics_median(times, FRAMES);
     return ok;

@@ -7,7 +7,15 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char file_name[] = "study.json";
+void recorded_study_place(char path[FILES_PATH], const char *folder, const char *scene, const char *end) {
+    char name[STUDY_NAME + 32];
+    snprintf(name, sizeof name, "study-%s.%s", scene, end);
+    files_join(path, folder, name);
+}
+
+void recorded_study_index(char path[FILES_PATH], const char *folder) {
+    files_join(path, folder, "study.json");
+}
 
 static bool take_knobs(RecordedPoint *point, json_t *knobs) {
     const char *name;
@@ -61,7 +69,7 @@ bool recorded_study_load(RecordedStudy *study, const Rubric *rubric) {
     char path[FILES_PATH];
     memset(study, 0, sizeof *study);
     study->folder = rubric->folder;
-    files_join(path, rubric->folder, file_name);
+    recorded_study_index(path, rubric->folder);
     if (!files_exists(path))
         return check_fail(
             "no points of lab %s are recorded here: not every lab is in the study, and not every "
@@ -79,12 +87,6 @@ void recorded_study_destroy(RecordedStudy *study) {
     memset(study, 0, sizeof *study);
 }
 
-static void place(char path[FILES_PATH], const RecordedStudy *study, int i, const char *end) {
-    char name[STUDY_NAME + 32];
-    snprintf(name, sizeof name, "study-%s.%s", study->scenes[i].name, end);
-    files_join(path, study->folder, name);
-}
-
 static bool read_scene(Scene *scene, const char *path) {
     FILE *file = fopen(path, "rb");
     const bool ok = file && fread(scene, sizeof *scene, 1, file) == 1 && fgetc(file) == EOF &&
@@ -97,10 +99,10 @@ static bool read_scene(Scene *scene, const char *path) {
 
 bool recorded_study_scene(const RecordedStudy *study, int i, Scene *scene, Image *truth) {
     char path[FILES_PATH];
-    place(path, study, i, "scene");
+    recorded_study_place(path, study->folder, study->scenes[i].name, "scene");
     if (!read_scene(scene, path) || !scene_check(scene))
         return false;
-    place(path, study, i, "png");
+    recorded_study_place(path, study->folder, study->scenes[i].name, "png");
     image_destroy(truth);
     return image_read_png(truth, path) &&
            ((truth->width == study->width && truth->height == study->height) ||

@@ -1,6 +1,7 @@
 // What was recorded of the study for one lab: its settings in some scenes, with their times and errors.
 #pragma once
 
+#include "base/files.h"
 #include "base/json_fields.h"
 #include "compile/rubric.h"
 #include "protocol/protocol.h"
@@ -33,6 +34,11 @@ typedef struct RecordedStudy {
     int scene_count;
     json_t *json; // where the strings live
 } RecordedStudy;
+
+// Where a scene's file lies in a lab's folder of records: `end` is "scene" or "png". And where study.json
+// does.
+void recorded_study_place(char path[FILES_PATH], const char *folder, const char *scene, const char *end);
+void recorded_study_index(char path[FILES_PATH], const char *folder);
 
 // Reads the study of the rubric's lab. False with a message, also when none was recorded.
 bool recorded_study_load(RecordedStudy *study, const Rubric *rubric);

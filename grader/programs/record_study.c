@@ -4,6 +4,8 @@
 #include "base/option_values.h"
 #include "base/places.h"
 #include "base/statistics.h"
+#include "exam/exam.h"
+#include "points/recorded_study.h"
 #include "scene/check.h"
 #include "study/study_scene.h"
 #include "study/views.h"
@@ -46,17 +48,11 @@ static bool time_frames(Recorder *recorder, const Painter *painter, const Settin
     bool ok = true;
     for (int i = -1; ok && i < FRAMES; i++) { // the first one makes the lab's resources
         ok = painters_draw(&recorder->artist.roster, painter, &request, &image, &reply);
-        for (int pass = 0; i >= 0 && pass < LAB_MAX_PASSES; pass++)
-            times[i] += (double)reply.milliseconds[pass];
+        if (i >= 0)
+            times[i] = (double)exam_milliseconds(&reply);
     }
     *median = statistics_median(times, FRAMES);
     return ok;
-}
-
-static void place(char path[FILES_PATH], const Recorder *recorder, const char *end) {
-    char name[96];
-    snprintf(name, sizeof name, "study-%s.%s", recorder->scene->name, end);
-    files_join(path, recorder->folder, name);
 }
 
 static bool write_truth(const Recorder *recorder, const uint8_t *mask) {
@@ -70,7 +66,7 @@ static bool write_truth(const Recorder *recorder, const uint8_t *mask) {
         truth.rgba[4 * i + 1] = (uint8_t)(light & 255);
         truth.rgba[4 * i + 2] = mask[i] ? 255 : 0;
     }
-    place(path, recorder, "png");
+    recorded_study_place(path, recorder->folder, recorder->scene->name, "png");
     const bool ok = image_write_png(&truth, path);
     image_destroy(&truth);
     return ok;
@@ -78,7 +74,7 @@ static bool write_truth(const Recorder *recorder, const uint8_t *mask) {
 
 static bool write_scene(const Recorder *recorder) {
     char path[FILES_PATH];
-    place(path, recorder, "scene");
+    recorded_study_place(path, recorder->folder, recorder->scene->name, "scene");
     FILE *file = fopen(path, "wb");
     const Scene *scene = &recorder->view.truth_view.truth.scene;
     bool ok = file && fwrite(scene, sizeof *scene, 1, file) == 1;
@@ -169,7 +165,7 @@ static bool concerns(const StudyScene *scene, const char *lab) {
 
 static bool write_study(const Recorder *recorder, json_t *scenes) {
     char path[FILES_PATH];
-    files_join(path, recorder->folder, "study.json");
+    recorded_study_index(path, recorder->folder);
     json_t *root = json_pack("{s:i, s:i, s:O}", "width", WIDTH, "height", HEIGHT, "scenes", scenes);
     const bool ok = root && json_dump_file(root, path, JSON_INDENT(1)) == 0;
     json_decref(root);

@@ -53,6 +53,25 @@ void closed_stand(Scene *scene, vec3s middle, float half_width, float half_heigh
     *placed = glms_scale(*placed, vec3_make(half_width, 1, half_height));
 }
 
+enum { LAMP_ASIDE = 5 };
+static const double lamp_field = 84; // of its map, degrees
+
+Scene closed_wall_and_lamp(int width, int height) {
+    Scene scene = closed_wall(6, 10, 2 * atanf(3.2F / 20 * (float)height / (float)width));
+    closed_light(&scene, LIGHT_SPOT, vec3_make(-LAMP_ASIDE, 0, CLOSED_LAMP_AT), vec3_make(-LAMP_ASIDE, 0, 0),
+                 glm_rad((float)lamp_field), 0, 2, 12);
+    return scene;
+}
+
+void closed_plate(Scene *scene, double h, double end) {
+    double edge = (end + LAMP_ASIDE) * (CLOSED_LAMP_AT - h) / CLOSED_LAMP_AT - LAMP_ASIDE;
+    closed_add(scene, SHAPE_BOX, vec3_make((float)edge - 1, 0, (float)h), vec3_make(1, 2, 1e-4F), 0);
+}
+
+double closed_lamp_texel(int size) {
+    return 2 * CLOSED_LAMP_AT * tan(closed_radians(lamp_field) / 2) / size;
+}
+
 double closed_beside_wall(double x, double h) {
     return (1 - x / sqrt(x * x + h * h)) / 2;
 }

@@ -27,6 +27,20 @@ Scene closed_wall_and_box(vec3s to_light, vec3s center, vec3s half_size);
 // Adds a plane that stands at `middle` and faces +z, and is then turned about +y (degrees).
 void closed_stand(Scene *scene, vec3s middle, float half_width, float half_height, float turn);
 
+enum { CLOSED_LAMP_AT = 8 };
+
+// The wall of which a picture of width x height pixels shows 3.2 units across, and a spot light that looks
+// straight at it from CLOSED_LAMP_AT before it: so far aside that plates do not hide from the eye where their
+// shadows end.
+Scene closed_wall_and_lamp(int width, int height);
+
+// A plate parallel to that wall, h before it, from far left to where its shadow ends at x = `end` of the
+// wall.
+void closed_plate(Scene *scene, double h, double end);
+
+// What a texel of that light's map, `size` texels along a side, measures on the wall.
+double closed_lamp_texel(int size);
+
 // Ambient occlusion, cosine-weighted, of a floor at the distance x from an endless wall of height h: (1 - x /
 // sqrt(x^2 + h^2)) / 2.
 double closed_beside_wall(double x, double h);

@@ -60,10 +60,7 @@ static void begin(const Guides *guides, const Frame *frame, const Image *picture
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
-    glBindTexture(GL_TEXTURE_2D, guides->texture);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture->width, picture->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                 picture->rgba);
+    screen_fill(guides->texture, picture);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     program_set_texture(&guides->copy, "u_picture", 0, GL_TEXTURE_2D, guides->texture);

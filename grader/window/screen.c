@@ -23,13 +23,17 @@ void screen_destroy(Screen *screen) {
     memset(screen, 0, sizeof *screen);
 }
 
-void screen_upload(Screen *screen, const Image *picture) {
-    glBindTexture(GL_TEXTURE_2D, screen->texture);
+void screen_fill(GLuint texture, const Image *picture) {
+    glBindTexture(GL_TEXTURE_2D, texture);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, picture->width, picture->height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                  picture->rgba);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+}
+
+void screen_upload(Screen *screen, const Image *picture) {
+    screen_fill(screen->texture, picture);
     screen->width = picture->width;
     screen->height = picture->height;
 }

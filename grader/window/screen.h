@@ -19,6 +19,9 @@ typedef struct Screen {
 bool screen_create(Screen *screen);
 void screen_destroy(Screen *screen); // accepts a zeroed screen
 
+// Puts a picture of any size into a texture, clamped to its edges. The texture stays bound.
+void screen_fill(GLuint texture, const Image *picture);
+
 // Takes another picture, of any size.
 void screen_upload(Screen *screen, const Image *picture);
 

@@ -30,8 +30,7 @@ static const StudyScene scenes[] = {
 };
 
 static const Filter hard = {"hard", 0, 0, 1, 0}, by_hand = {"3 x 3 by hand", 1, 0, 9, 1},
-                    linear = {"linear", 2, 0, 1, 0}, diagonals = {"4 diagonals", 3, 0, 4, 1},
-                    box_5 = {"box 5 x 5", 4, 2, 25, 2}, gather = {"3 x 3 by gathers", 5, 0, 4, 1};
+                    diagonals = {"4 diagonals", 3, 0, 4, 1};
 
 // llvmpipe walks all branches of a shader, whatever a uniform chooses, so each filter is measured in a shader
 // in which the choice is fixed, as a course or a game would build it.
@@ -84,7 +83,7 @@ static void add_to_wide_lamp(MethodList *list) {
 }
 
 static void add_to_edges(MethodList *list) {
-    const Filter filters[] = {hard, by_hand, linear, diagonals, box_5, gather};
+    const Filter filters[] = {hard, by_hand, filter_linear, diagonals, filter_box_5, filter_gather};
     for (int i = 0; i < STUDY_SIZES; i++)
         for (unsigned f = 0; f < COUNT(filters); f++)
             filters_add(list, filters[f], study_sizes[i]);
@@ -92,15 +91,15 @@ static void add_to_edges(MethodList *list) {
 
 static void add_to_penumbra(MethodList *list) {
     filters_add(list, hard, 1024);
-    filters_add(list, linear, 256);
+    filters_add(list, filter_linear, 256);
     for (int size = 128; size <= 512; size *= 2)
         add_box(list, "box PCF", size, size / STUDY_KERNEL);
 }
 
 static void add_to_volumes(MethodList *list) {
     for (int i = 0; i < STUDY_SIZES; i++) {
-        filters_add(list, linear, study_sizes[i]);
-        filters_add(list, gather, study_sizes[i]);
+        filters_add(list, filter_linear, study_sizes[i]);
+        filters_add(list, filter_gather, study_sizes[i]);
     }
 }
 

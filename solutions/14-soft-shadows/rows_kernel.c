@@ -1,37 +1,21 @@
 // How wide a penumbra is, and what two blockers do to it. A lamp straight before a wall, plates parallel to
-// it.
+// it: each tap's edge lies at most half a texel, and the offset's, aside.
 #include "scene/count.h"
 #include "stability/probe.h"
 #include "stability/row.h"
 #include "truth/closed_scenes.h"
 
-enum { WIDE = 480, HIGH = 16, LAMP_AT = 8, LAMP_ASIDE = 5, TAPS = 24, MAP = 2048 };
+enum { WIDE = 480, HIGH = 16, TAPS = 24, MAP = 2048 };
 static const double extent = 0.5; // half the lamp's side
-static const double field = 84;   // of its map, degrees
 
 static Scene lamp_and_wall(void) {
-    Scene scene = closed_wall(6, 10, 2 * atanf(3.2F / 20 * HIGH / WIDE));
-    closed_light(&scene, LIGHT_SPOT, vec3_make(-LAMP_ASIDE, 0, LAMP_AT), vec3_make(-LAMP_ASIDE, 0, 0),
-                 glm_rad((float)field), 0, 2, 12);
+    Scene scene = closed_wall_and_lamp(WIDE, HIGH);
     scene.lights[0].extent = (float)extent;
     return scene;
 }
 
-// A plate at the height h before the wall, left of the ray from the lamp to the wall's x = 0: its shadow ends
-// there. So far aside, it does not hide that place from the eye.
-static void add_plate(Scene *scene, float h) {
-    float edge = -h * LAMP_ASIDE / LAMP_AT;
-    closed_add(scene, SHAPE_BOX, vec3_make(edge - 1, 0, h), vec3_make(1, 2, 1e-4F), 0);
-}
-
 static double width_of(double h) {
-    return 2 * extent * h / (LAMP_AT - h);
-}
-
-// What a texel of the map measures on the wall: each tap's edge lies at most half of that, and the offset's,
-// aside.
-static double texel_on_wall(void) {
-    return 2 * LAMP_AT * tan(closed_radians(field) / 2) / MAP;
+    return 2 * extent * h / (CLOSED_LAMP_AT - h);
 }
 
 // Over the wall in the middle row: the integral of V (1 - V), and of the light that is false.
@@ -66,18 +50,18 @@ static bool run_widths(LabSet *labs, Findings *findings) {
                                      "height of the caster over the wall (units)", "width (units)");
     Curve *soft = figure_curve(figure, "by the mean blocker: S h / (H - h)", CURVE_EQUAL),
           *fixed = figure_curve(figure, "failure: a fixed kernel has one width", CURVE_EQUAL);
-    const double levels = 1 - 1.0 / (TAPS * TAPS), tolerance = texel_on_wall() + 2.0 / WIDE;
+    const double levels = 1 - 1.0 / (TAPS * TAPS), tolerance = closed_lamp_texel(MAP) + 2.0 / WIDE;
     bool ok = true;
     for (int i = 1; ok && i <= 6; i++) {
         double h = 0.5 * i, variance, leak;
         Scene scene = lamp_and_wall();
-        add_plate(&scene, (float)h);
+        closed_plate(&scene, h, 0);
         for (int kernel = 0; ok && kernel < 2; kernel++) {
             Probe probe;
             ok = draw(&probe, labs, &scene, kernel);
             if (ok) {
                 integrate(&probe, &variance, &leak);
-                double width = 6 * variance / levels, one = 0.02 * texel_on_wall() * MAP;
+                double width = 6 * variance / levels, one = 0.02 * closed_lamp_texel(MAP) * MAP;
                 curve_add(kernel ? soft : fixed, h, width, kernel ? width_of(h) : one, tolerance);
                 findings_frame(findings, kernel, fabs(width - width_of(h)), &probe.truth_view,
                                &probe.measured, "%s, a plate at %.1f",
@@ -101,8 +85,8 @@ static bool run_two(LabSet *labs, Findings *findings) {
     for (int i = 1; ok && i <= 5; i++) {
         double h = 0.5 * i, variance, leak;
         Scene scene = lamp_and_wall();
-        add_plate(&scene, (float)high);
-        add_plate(&scene, (float)h);
+        closed_plate(&scene, high, 0);
+        closed_plate(&scene, h, 0);
         Probe probe;
         ok = draw(&probe, labs, &scene, 1);
         if (ok) {
@@ -110,7 +94,7 @@ static bool run_two(LabSet *labs, Findings *findings) {
             // Half a texel moves the whole ramp, which counts once; its two halves balance in the mean of the
             // taps.
             curve_add(leaks, h, leak, (width_of(high) - width_of(h)) / 8,
-                      texel_on_wall() / 2 + 2.0 / 255 * width_of(high));
+                      closed_lamp_texel(MAP) / 2 + 2.0 / 255 * width_of(high));
             findings_frame(findings, 0, leak, &probe.truth_view, &probe.measured, "Plates at %.1f and %.1f",
                            high, h);
         }

@@ -8,19 +8,13 @@
 
 #include <cmocka.h>
 
-enum { SIZE = 320, LAMP_AT = 8, LAMP_ASIDE = 5, MAP = 2048 };
-static const double extent = 0.5, field = 84; // of the lamp: half its side, and its map's angle in degrees
+enum { SIZE = 320, MAP = 2048 };
+static const double extent = 0.5; // half the lamp's side
 
 static Scene lamp_and_wall(void) {
-    Scene scene = closed_wall(6, 10, 2 * atanf(3.2F / 20));
-    closed_light(&scene, LIGHT_SPOT, vec3_make(-LAMP_ASIDE, 0, LAMP_AT), vec3_make(-LAMP_ASIDE, 0, 0),
-                 glm_rad((float)field), 0, 2, 12);
+    Scene scene = closed_wall_and_lamp(SIZE, SIZE);
     scene.lights[0].extent = (float)extent;
     return scene;
-}
-
-static double tangent(void) {
-    return tan(closed_radians(field) / 2);
 }
 
 static Image draw(const Scene *scene, const char *view, int filter_taps) {
@@ -28,15 +22,8 @@ static Image draw(const Scene *scene, const char *view, int filter_taps) {
     return witness_draw(LAB_ID, scene, view, SIZE, SIZE, knobs, 3);
 }
 
-// A plate at the height h, left of the ray from the lamp to the wall's x = 0: its shadow ends there. So far
-// aside, it does not hide that place from the eye.
-static void add_plate(Scene *scene, double h) {
-    closed_add(scene, SHAPE_BOX, vec3_make((float)(-h * LAMP_ASIDE / LAMP_AT) - 1, 0, (float)h),
-               vec3_make(1, 2, 1e-4F), 0);
-}
-
 static double width_of(double h) {
-    return 2 * extent * h / (LAMP_AT - h);
+    return 2 * extent * h / (CLOSED_LAMP_AT - h);
 }
 
 // Light falls as 1/2 + x / w, with w = S h / (H - h). n taps make steps at most 1 / (2 n) from that, each
@@ -44,10 +31,10 @@ static double width_of(double h) {
 static void test_ramp(void **unused) {
     (void)unused;
     for (int i = 1; i <= 5; i++) {
-        double h = 0.6 * i, worst = 0, texel = 2 * LAMP_AT * tangent() / MAP;
+        double h = 0.6 * i, worst = 0, texel = closed_lamp_texel(MAP);
         const int taps = 16;
         Scene scene = lamp_and_wall();
-        add_plate(&scene, h);
+        closed_plate(&scene, h, 0);
         Image image = draw(&scene, "visibility", taps);
         double unit = closed_unit(&scene, SIZE);
         int inside = 0;
@@ -80,13 +67,15 @@ static void check_stage(const Scene *scene, const char *stage, double x, double 
 static void test_stages(void **unused) {
     (void)unused;
     for (int i = 1; i <= 4; i++) {
-        double h = 0.7 * i, b = LAMP_AT - h, x = -width_of(h) / 2 - 0.08;
+        double h = 0.7 * i, b = CLOSED_LAMP_AT - h, x = -width_of(h) / 2 - 0.08;
         Scene scene = lamp_and_wall();
-        add_plate(&scene, h);
+        closed_plate(&scene, h, 0);
+        const double tangent = tan((double)scene.lights[0].fov_y / 2);
         double far = (double)scene.lights[0].far_plane, b0 = fmax(b - sqrt(5), 2);
         check_stage(&scene, "distances", x, b / far);
         check_stage(&scene, "blockers", x, b / far);
-        check_stage(&scene, "kernels", x, 6 * 2 * extent * (LAMP_AT - b0) / LAMP_AT / (2 * b0 * tangent()));
+        check_stage(&scene, "kernels", x,
+                    6 * 2 * extent * (CLOSED_LAMP_AT - b0) / CLOSED_LAMP_AT / (2 * b0 * tangent));
     }
 }
 

@@ -4,22 +4,7 @@
 #include "stability/row.h"
 #include "truth/closed_scenes.h"
 
-enum { WIDE = 320, HIGH = 16, MAP = 1024, BLUR = 8, LAMP_AT = 8, LAMP_ASIDE = 5, PLATES = 12 };
-static const double field = 84; // of the lamp's map, degrees
-
-static Scene wall_and_lamp(void) {
-    Scene scene = closed_wall(6, 10, 2 * atanf(3.2F / 20 * HIGH / WIDE));
-    closed_light(&scene, LIGHT_SPOT, vec3_make(-LAMP_ASIDE, 0, LAMP_AT), vec3_make(-LAMP_ASIDE, 0, 0),
-                 glm_rad((float)field), 0, 2, 12);
-    return scene;
-}
-
-// A plate at the height h, from far left to where its shadow ends at x = `end` of the wall.
-static void add_plate(Scene *scene, double h, double end) {
-    double edge = (end + LAMP_ASIDE) * (LAMP_AT - h) / LAMP_AT - LAMP_ASIDE;
-    closed_add(scene, SHAPE_BOX, vec3_make((float)edge - 1, 0, (float)h), vec3_make(1, 2, 1e-4F), 0);
-}
-
+enum { WIDE = 320, HIGH = 16, MAP = 1024, BLUR = 8, PLATES = 12 };
 // The most light in the middle row of the wall where truth has none.
 static double most_false(const Probe *probe) {
     const MetricsSize size = probe->truth_view.size;
@@ -52,10 +37,10 @@ static bool run_bleeding(LabSet *labs, Findings *findings) {
     bool ok = true;
     for (int i = 1; ok && i <= 6; i++) {
         double a = 0.5 * i, bound = a * a / ((a + 2 * b) * (a + 2 * b));
-        Scene scene = wall_and_lamp();
+        Scene scene = closed_wall_and_lamp(WIDE, HIGH);
         Probe probe;
-        add_plate(&scene, b + a, 0);
-        add_plate(&scene, b, 0.6);
+        closed_plate(&scene, b + a, 0);
+        closed_plate(&scene, b, 0.6);
         ok = probe_begin(&probe, labs, LAB_ID, &scene, WIDE, HIGH) && draw(&probe, 0, 1);
         // At its top the bound is flat: half a texel of 17 beside it takes at most 0.01 of it away.
         if (ok)
@@ -81,10 +66,10 @@ static bool run_halves(LabSet *labs, Findings *findings) {
     double most = 0;
     bool ok = true;
     for (int i = 1; ok && i <= PLATES; i++) {
-        double h = 0.05 * i, beyond = h / 10, depth = (LAMP_AT - h - 2) / 10;
-        Scene scene = wall_and_lamp();
+        double h = 0.05 * i, beyond = h / 10, depth = (CLOSED_LAMP_AT - h - 2) / 10;
+        Scene scene = closed_wall_and_lamp(WIDE, HIGH);
         Probe probe;
-        add_plate(&scene, h, 0.6);
+        closed_plate(&scene, h, 0.6);
         ok = probe_begin(&probe, labs, LAB_ID, &scene, WIDE, HIGH) && draw(&probe, 0, 0);
         double wrong = 1.5 * depth * depth / 1024;
         if (ok) {

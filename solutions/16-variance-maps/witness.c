@@ -9,26 +9,7 @@
 
 #include <cmocka.h>
 
-enum { SIZE = 400, MAP = 1024, BLUR = 8, LAMP_AT = 8, LAMP_ASIDE = 5 };
-static const double field = 84; // of the lamp's map, degrees
-
-static Scene wall_and_lamp(void) {
-    Scene scene = closed_wall(6, 10, 2 * atanf(3.2F / 20));
-    closed_light(&scene, LIGHT_SPOT, vec3_make(-LAMP_ASIDE, 0, LAMP_AT), vec3_make(-LAMP_ASIDE, 0, 0),
-                 glm_rad((float)field), 0, 2, 12);
-    return scene;
-}
-
-// A plate at the height h, from far left to where its shadow ends at x = `end` of the wall.
-static void add_plate(Scene *scene, double h, double end) {
-    double edge = (end + LAMP_ASIDE) * (LAMP_AT - h) / LAMP_AT - LAMP_ASIDE;
-    closed_add(scene, SHAPE_BOX, vec3_make((float)edge - 1, 0, (float)h), vec3_make(1, 2, 1e-4F), 0);
-}
-
-static double texel_on_wall(void) {
-    return 2 * LAMP_AT * tan(closed_radians(field) / 2) / MAP;
-}
-
+enum { SIZE = 400, MAP = 1024, BLUR = 8 };
 static Image draw(const Scene *scene, double cut) {
     const WitnessKnob knobs[] = {
         {"map size", MAP}, {"blur", BLUR}, {"mipmaps", 0}, {"least variance", 1}, {"cut", (float)cut}};
@@ -52,7 +33,7 @@ static double two_plates(double q, double a, double b) {
 // may be off.
 static void compare(const Scene *scene, const char *what, double (*light)(double q, double a, double b),
                     double a, double b, double from) {
-    const double texel = texel_on_wall(), width = (2 * BLUR + 1) * texel;
+    const double texel = closed_lamp_texel(MAP), width = (2 * BLUR + 1) * texel;
     Image image = draw(scene, 0);
     double unit = closed_unit(scene, SIZE), worst = 0;
     int places = 0;
@@ -75,8 +56,8 @@ static void compare(const Scene *scene, const char *what, double (*light)(double
 static void test_one(void **unused) {
     (void)unused;
     for (int i = 1; i <= 4; i++) {
-        Scene scene = wall_and_lamp();
-        add_plate(&scene, 0.7 * i, 0);
+        Scene scene = closed_wall_and_lamp(SIZE, SIZE);
+        closed_plate(&scene, 0.7 * i, 0);
         compare(&scene, "one plate", one_plate, 0.7 * i, 0, -0.2);
     }
 }
@@ -87,9 +68,9 @@ static void test_two(void **unused) {
     (void)unused;
     for (int i = 1; i <= 4; i++) {
         const double b = 1, a = 0.7 * i;
-        Scene scene = wall_and_lamp();
-        add_plate(&scene, b + a, 0);
-        add_plate(&scene, b, 0.6);
+        Scene scene = closed_wall_and_lamp(SIZE, SIZE);
+        closed_plate(&scene, b + a, 0);
+        closed_plate(&scene, b, 0.6);
         compare(&scene, "two plates", two_plates, a, b, -0.1);
         Image image = draw(&scene, a * a / ((a + 2 * b) * (a + 2 * b)) + 0.002);
         int most = 0;
