@@ -259,10 +259,14 @@ bool reset_find(ResetFound *found, const LabResult *result, Exam *exam, const Wo
                 const OpenTasks *tasks, const bool failed[]) {
     static ResetSearch search;
     *found = (ResetFound){0};
-    search = (ResetSearch){.exam = exam, .open = tasks, .parts = exam_parts(exam), .began = process_now()};
-    const bool ok = search.parts && mixed_lab_open(&search.lab, result, exam, student, NULL);
-    if (search.parts) // else the lab was never opened
-        choose_checks(&search.lab, failed);
+    const Parts *parts = exam_parts(exam);
+    if (!parts) {
+        check_clear();
+        return false;
+    }
+    search = (ResetSearch){.exam = exam, .open = tasks, .parts = parts, .began = process_now()};
+    const bool ok = mixed_lab_open(&search.lab, result, exam, student, NULL);
+    choose_checks(&search.lab, failed);
     if (ok && search.lab.failed_count > 0) {
         try_parts(&search);
         find_candidates(found, &search);
