@@ -122,7 +122,7 @@ static void make_between(Scene *scene, Random *random) {
     part_begin(scene, random);
     float lift = random_range(random, 0.3f, 0.6f) * (random_int(random, 0, 1) ? 1 : -1);
     tilt(part_floor(scene, 6, random), random_range(random, -10, 10), random_range(random, -10, 10), lift);
-    float_casters(scene, random, 2, lift - 0.2f, lift + 1.2f);
+    float_casters(scene, random, 2, lift - 0.3f, lift + 0.9f);
     vec3s lamp = place_light(random, 45, 75, random_range(random, 3.2f, 4));
     for (int i = 0; i < 3; i++) {
         float r = random_range(random, 0.35f, 0.5f);
