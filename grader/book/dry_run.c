@@ -59,7 +59,7 @@ static void print_time(const HandInLook *look, int i, const HandInFacts *facts, 
 static void print_predictions(HandInLook *look, const Rubric *rubric, const char *folder) {
     static Predictions predictions; // too large for a stack
     predictions_begin(&predictions, rubric);
-    if (predictions.count > 0 && predictions_take(&predictions, rubric, folder) && predictions.message[0])
+    if (predictions_take(&predictions, rubric, folder) && predictions.message[0] && !predictions.undrawn)
         warn(look, predictions.message);
     check_clear();
 }

@@ -6,7 +6,7 @@
 
 #define PREDICTION_FILE "predictions.txt"
 
-enum { PREDICTION_NUMBER = 24, PREDICTION_MESSAGE = 320 };
+enum { PREDICTION_MAX_FILE = 1 << 16, PREDICTION_NUMBER = 24, PREDICTION_MESSAGE = 320 };
 
 typedef struct PredictionEntry {
     double value;                  // when `why` is ""

@@ -12,7 +12,7 @@
 #include <string.h>
 #include <sys/random.h>
 
-enum { WIDTH = 100, LEAST_SHEET = 1000, MOST_SHEET = 999999, MAX_FILE = 1 << 16 };
+enum { WIDTH = 100, LEAST_SHEET = 1000, MOST_SHEET = 999999 };
 
 // Lines of comment, broken at spaces.
 static void write_comment(FILE *out, const char *text) {
@@ -100,7 +100,7 @@ bool prediction_sheet_draw(const Rubric *rubric, const char *folder, bool *drawn
     *drawn = false;
     files_join(path, folder, PREDICTION_FILE);
     if (files_exists(path)) {
-        char *old = files_read(path, MAX_FILE);
+        char *old = files_read(path, PREDICTION_MAX_FILE);
         const bool untouched = old && is_untouched(old, rubric->prediction_count);
         free(old);
         if (!untouched)

@@ -12,8 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_FILE = 1 << 16 };
-
 bool predictions_fit(const Rubric *rubric) {
     const JsonPlace file = {.folder = rubric->folder, .file = "rubric.json"};
     int count = 0;
@@ -58,7 +56,8 @@ static void take(Predictions *predictions, const Rubric *rubric, const char *tex
     prediction_file_read(&file, text, predictions->count);
     memcpy(predictions->message, file.message, sizeof file.message);
     predictions->sheet = file.sheet;
-    if (!file.sheet && !file.message[0])
+    predictions->undrawn = !file.sheet && !file.message[0];
+    if (predictions->undrawn)
         snprintf(
             predictions->message, sizeof predictions->message,
             "it has no sheet yet: `make predictions LAB=%s` writes numbers of your own into the questions",
@@ -81,7 +80,7 @@ bool predictions_take(Predictions *predictions, const Rubric *rubric, const char
         return true;
     }
     errno = 0;
-    char *text = files_read_untrusted(folder, found, MAX_FILE);
+    char *text = files_read_untrusted(folder, found, PREDICTION_MAX_FILE);
     if (!text && blame_is_ours(errno))
         return false;
     if (text)

@@ -19,6 +19,7 @@ typedef struct Predictions {
     int count;  // of the lab; 0: it has none
     long sheet; // of the submission; 0: none
     PredictionResult results[RUBRIC_MAX_PREDICTIONS];
+    bool undrawn;                     // the file lies there as it was handed out
     char message[PREDICTION_MESSAGE]; // of the file as a whole; "" when nothing is wrong with it
 } Predictions;
 
