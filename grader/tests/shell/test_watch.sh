@@ -64,10 +64,10 @@ sees "a save of the predictions is noticed" "Predictions: 5 of 5 points"
 cp solutions/04-*/*.{c,frag} labs/04-*/
 sees "the lab is done" "Lab 04 is done: 100 of 100 points"
 sees "how to go on" "This lab is done\. n goes on to lab 05"
-sees "the answer to its question" "The handout's question, answered"
+sees "the answers to its questions" "The handout's three questions, answered"
 type n
 sees "the next lab is graded" "Task 5\.1  labs/05"
-[[ $out != *"question, answered"* ]] && ok || bad "an answer to a lab that is not done" "$out"
+[[ $out != *"questions, answered"* ]] && ok || bad "an answer to a lab that is not done" "$out"
 python3 -c 'import json,sys; l=json.load(open(sys.argv[1]))["labs"]; assert l["04"]["done"] and l["04"]["best"] == 100 and not l["05"]["done"]' "$SHADOW_LAB_PROGRESS" && ok || bad "the progress is kept" "$(cat "$SHADOW_LAB_PROGRESS")"
 
 # Keys.
@@ -148,7 +148,7 @@ expect "without a terminal, not done" 1 "does not compile"
 # The answer on paper: only of what is done. A reset takes the points back.
 answers() { status=0; out=$(build/watch "$@" 2>&1 </dev/null) || status=$?; }
 answers --lab 04 --answer
-expect "the answer of a lab that is done" 0 "The idea" "The handout's question, answered" "To try in the window" "make showcase"
+expect "the answer of a lab that is done" 0 "The idea" "The handout's three questions, answered" "To try in the window" "make showcase"
 answers --lab 05 --answer
 expect "no answer of a lab that is open" 1 "Lab 05 is not done yet"
 [[ $out != *"answered"* ]] && ok || bad "an answer too early" "$out"
