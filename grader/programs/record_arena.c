@@ -88,6 +88,7 @@ static bool record(const RecordArena *command) {
         return false;
     StudyScene scene = *find_scene(contest->scene);
     scene.moves = false;
+    scene.query.samples /= 4; // the mean of a picture is known well enough
     json_t *settings = settings_of(contest, &scene, &first);
     snprintf(folder, sizeof folder, "%s/truth/", command->output);
     bool ok = files_make_folder(folder) && lab_artist_open(&artist, command->lab);

@@ -153,6 +153,53 @@ static void test_names(void **unused) {
     image_destroy(&found);
 }
 
+// Five methods, counted by hand: where the search found anything, and where not all that it met is a blocker,
+// a stage shows.
+static void test_methods(void **unused) {
+    (void)unused;
+    static const Edit twice = {"pcss.glsl", "float depth = texture(u_shadow_map, place).r;",
+                               "float depth = 0.5 * (texture(u_shadow_map, place).r + "
+                               "texelFetch(u_shadow_map, ivec2(place * 256.0), 0).r);"},
+                      fewer = {"pcss.glsl", "for (int j = 0; j < u_filter_taps; j++)",
+                               "for (int j = 1; j < u_filter_taps; j++)"},
+                      fixed = {"shadow.frag", "if (!u_fixed)", "if (u_fixed)"},
+                      core = {"pcss.glsl", "return found > 0 ?",
+                              "if (found == u_search_taps * u_search_taps) return -1.0;\nreturn found > 0 ?"},
+                      exits = {"shadow.frag", "if (blocker == 0.0)\n            return 1.0;",
+                               "if (blocker <= 0.0) return blocker < 0.0 ? 0.0 : 1.0;"};
+    const Change stops = {.name = "stops in the core", .edits = {core, exits}, .edit_count = 2};
+    static Reply reply;
+    Scene scene = wall();
+    Image in_map = draw(&scene, "distances", COUNTED_NOT, &reply), partly = {0}, image = {0};
+    add_box(&scene);
+    Image found = draw(&scene, "blockers", COUNTED_NOT, &reply);
+    assert_int_equal(draw_changed(&stops, &scene, "blockers", COUNTED_NOT, &partly, &reply), DRAW_OK);
+    const double searched = pixels_with(&in_map, 0, 1), filtered = pixels_with(&found, 0, 1),
+                 unsure = pixels_with(&partly, 0, 1), search = SEARCH * SEARCH, filter = FILTER * FILTER;
+    assert_true(unsure > 100 && unsure < filtered - 100);
+    const struct {
+        Change change;
+        double taps;
+    } methods[] = {
+        {{.name = "a search of twice the reads", .edits = {twice}, .edit_count = 1},
+         2 * search * searched + filter * filtered},
+        {{.name = "as it is", .edit_count = 0}, search * searched + filter * filtered},
+        {{.name = "a filter without a row", .edits = {fewer}, .edit_count = 1},
+         search * searched + (filter - FILTER) * filtered},
+        {stops, search * searched + filter * unsure},
+        {{.name = "one kernel for all", .edits = {fixed}, .edit_count = 1}, filter * searched},
+    };
+    for (unsigned i = 0; i < sizeof methods / sizeof methods[0]; i++) {
+        assert_int_equal(
+            draw_changed(&methods[i].change, &scene, "visibility", COUNTED_READS, &image, &reply), DRAW_OK);
+        print_message("%s: %.0f\n", methods[i].change.name, reply.counts.taps);
+        if (reply.counts.taps != methods[i].taps)
+            fail_msg("by hand: %.0f", methods[i].taps);
+    }
+    for (Image *images[] = {&in_map, &found, &partly, &image}, **i = images; i < images + 4; i++)
+        image_destroy(*i);
+}
+
 // Texels that come from the processor, and what is copied, are told.
 static void test_past_counters(void **unused) {
     (void)unused;
@@ -185,7 +232,8 @@ int main(void) {
         return 1;
     }
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_search), cmocka_unit_test(test_filter),
-                                       cmocka_unit_test(test_names), cmocka_unit_test(test_past_counters)};
+                                       cmocka_unit_test(test_names), cmocka_unit_test(test_methods),
+                                       cmocka_unit_test(test_past_counters)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     rubric_destroy(&rubric);
     return failed;
