@@ -1,3 +1,4 @@
+// Writes the standings: lines, a page, and a key in results.json.
 #include "compete/board.h"
 
 #include "base/files.h"

@@ -54,7 +54,7 @@ static void refuse(Standing *standing, const char *text) {
     give_reason(standing, text);
 }
 
-static void take_tally(Standing *standing, const Tally *tally, const char *setting) {
+static void take_tally(Standing *standing, const ArenaTally *tally, const char *setting) {
     standing->taps = tally->taps;
     standing->fragments = tally->fragments;
     standing->texels = tally->texels;
@@ -69,7 +69,7 @@ static int choose(Standing *standing, const Arena *arena, WorkerClient *client) 
     double least = INFINITY;
     int chosen = -1;
     for (int i = 0; i < arena->setting_count; i++) {
-        Tally tally;
+        ArenaTally tally;
         if (!tally_take(&tally, arena, i, client, COUNTED_READS)) {
             refuse(standing, check_message());
             return -1;
@@ -91,7 +91,7 @@ static int choose(Standing *standing, const Arena *arena, WorkerClient *client) 
 
 // Whose reads all give 1, the farthest depth, finds no caster: what is dark then was not found in a map.
 static void look_blind(Standing *standing, const Arena *arena, WorkerClient *client, int setting) {
-    Tally tally;
+    ArenaTally tally;
     if (!tally_take(&tally, arena, setting, client, COUNTED_BLIND))
         refuse(standing, check_message());
     else if (tally.dark > 0.1 * tally.true_dark)

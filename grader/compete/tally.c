@@ -30,7 +30,7 @@ static bool draw(WorkerClient *client, const Request *request, Image *image, Rep
 }
 
 // What is missing to white where a pixel counts, a mean.
-static void add_dark(Tally *tally, const Image *image, const Image *truth) {
+static void add_dark(ArenaTally *tally, const Image *image, const Image *truth) {
     double dark = 0, true_dark = 0, count = 0;
     for (size_t at = 0; at < image_bytes(truth); at += 4) {
         const uint8_t *right = truth->rgba + at;
@@ -44,12 +44,12 @@ static void add_dark(Tally *tally, const Image *image, const Image *truth) {
     tally->true_dark += count > 0 ? true_dark / count / ARENA_CAMERAS : 0;
 }
 
-bool tally_take(Tally *tally, const Arena *arena, int setting, WorkerClient *client, int counted) {
+bool tally_take(ArenaTally *tally, const Arena *arena, int setting, WorkerClient *client, int counted) {
     static Request request;
     static Reply reply;
     static Image image;
     static const double SHARE = 1.0 / ARENA_CAMERAS, PIXELS = (double)ARENA_WIDTH * ARENA_HEIGHT;
-    *tally = (Tally){0};
+    *tally = (ArenaTally){0};
     for (int camera = 0; camera < ARENA_CAMERAS; camera++) {
         const Image *truth = &arena->truths[camera];
         request = request_of(arena, setting, camera, counted);

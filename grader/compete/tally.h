@@ -6,13 +6,13 @@
 
 #include <stdbool.h>
 
-typedef struct Tally {
+typedef struct ArenaTally {
     double taps, fragments, texels; // means over the cameras, a pixel of the picture
     double error;                   // the same, over the pixels that count, 0..1
     double dark, true_dark;         // the same, of what is missing to white in the frames and in the truths
-} Tally;
+} ArenaTally;
 
 // Draws setting number `setting` in all cameras, counted in this way (COUNTED_...): the client's worker must
 // not have drawn otherwise. False with a message for whose lab it is, who may also have drawn past the
 // counters.
-bool tally_take(Tally *tally, const Arena *arena, int setting, WorkerClient *client, int counted);
+bool tally_take(ArenaTally *tally, const Arena *arena, int setting, WorkerClient *client, int counted);

@@ -63,7 +63,7 @@ bool is_hit(int shape, vec3 from, vec3 to) {
     vec3 along = to - from;
     if (shape == SPHERE) {
         float a = dot(along, along), b = dot(from, along), c = dot(from, from) - 1.0, root = b * b - a * c;
-        return root > 0.0 && -b + sqrt(root) > 1e-3 * a && -b - sqrt(root) < a;
+        return root > 0.0 && -b - sqrt(root) > 1e-3 * a && -b - sqrt(root) < a;
     }
     vec3 one = (-1.0 - from) / along, other = (1.0 - from) / along, low = min(one, other), high = max(one, other);
     return shape == BOX && max(max(low.x, low.y), max(low.z, 1e-3)) < min(min(high.x, high.y), min(high.z, 1.0)) - 1e-3;
