@@ -14,18 +14,18 @@ typedef struct Span {
 } Span;
 
 // A function, or the text between two.
-typedef struct Place {
+typedef struct TodoPlace {
     const char *function; // its name; "": none
     Span span;
-} Place;
+} TodoPlace;
 
-static Place place_of(const Functions *functions, const char *at) {
-    Place place = {"", {functions->text, functions->text + strlen(functions->text)}};
+static TodoPlace place_of(const Functions *functions, const char *at) {
+    TodoPlace place = {"", {functions->text, functions->text + strlen(functions->text)}};
     for (int i = 0; i < functions->count; i++) {
         const Function *function = &functions->list[i];
         const char *begin = functions->text + function->begin, *end = functions->text + function->end;
         if (at >= begin && at < end)
-            return (Place){function->name, {begin, end}};
+            return (TodoPlace){function->name, {begin, end}};
         if (end <= at)
             place.span.begin = end;
         else if (begin < place.span.end)
@@ -149,9 +149,9 @@ TaskText task_text_compare(const char *text, const char *at, const char *mark, c
     TaskText found = TASK_TEXT_UNKNOWN;
     functions_split(&functions, text);
     functions_split(&our_functions, skeleton);
-    const Place theirs = place_of(&functions, at);
+    const TodoPlace theirs = place_of(&functions, at);
     for (const char *our_at = strstr(skeleton, mark); our_at; our_at = strstr(our_at + 1, mark)) {
-        const Place ours = place_of(&our_functions, our_at);
+        const TodoPlace ours = place_of(&our_functions, our_at);
         if (strcmp(theirs.function, ours.function) != 0)
             continue;
         const TaskText one = compare_at(at, theirs.span, our_at, ours.span);
