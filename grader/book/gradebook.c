@@ -1,3 +1,4 @@
+// Puts together what becomes of the records, writes it, and says what people should know.
 #include "book/gradebook.h"
 
 #include "book/anonymous.h"
