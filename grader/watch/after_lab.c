@@ -1,6 +1,7 @@
 #include "watch/after_lab.h"
 
 #include "exam/handed_out.h"
+#include "watch/after_points.h"
 
 #include <string.h>
 
@@ -44,9 +45,12 @@ static void show_parts(Sheet *sheet, const char *head, const char *const *parts,
 
 void after_lab_show(Sheet *sheet, const LabBoard *board, int lab) {
     const Afterword *afterword = &board->afterwords[lab];
+    char folder[FILES_PATH];
+    lab_board_lab_folder(board, lab, folder);
     if (afterword->idea) {
         show_parts(sheet, "The idea", &afterword->idea, 1);
         show_answers(sheet, afterword->answers);
+        after_points_show(sheet, &board->rubrics[lab], folder);
         show_parts(sheet, "To try in the window (r)", afterword->tries, afterword->try_count);
         show_parts(sheet, "Another way", &afterword->other_way, 1);
     }
