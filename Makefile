@@ -28,7 +28,7 @@ report: build ## the same as a web page with pictures: make report [LAB=03]
 watch: $(BUILD)/worker $(BUILD)/watch ## grade on save, with hints and progress: make watch [LAB=03]
 	@$(BUILD)/watch $(LAB_OPTION) $(ARGS)
 
-answer: $(BUILD)/watch ## of a lab that is done: its idea, the answer to its question, what to try: make answer LAB=03
+answer: $(BUILD)/watch ## of a lab that is done: its idea, the answers to its questions, what to try: make answer LAB=03
 	@$(if $(LAB),,echo "which lab? make answer LAB=03" >&2; exit 2;) $(BUILD)/watch $(LAB_OPTION) --answer || [ $$? = 1 ]
 
 predictions: $(BUILD)/watch ## the numbers to work out before a lab runs, your own ones: make predictions LAB=03

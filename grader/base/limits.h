@@ -29,7 +29,9 @@ enum {
     RUBRIC_MAX_EDIT = 1 << 14, // the text of an edit
 
     // Of what is told when a lab is done.
-    AFTERWORD_MAX_PARTS = 6,   // of the answer, or things to try
+    AFTERWORD_QUESTIONS = 3,   // of the handout: no more and no fewer
+    AFTERWORD_MAX_ABOUT = 60,  // what a question is about
+    AFTERWORD_MAX_PARTS = 6,   // of an answer, or things to try
     AFTERWORD_MAX_TEXT = 1400, // of a part
 
     // All that is drawn for one lab: the solution, the skeleton, the solution without the task of a check,

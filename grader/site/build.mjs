@@ -6,7 +6,7 @@ import path from "node:path";
 import { colored, languageOf } from "./code.mjs";
 import { withFigure } from "./figures.mjs";
 import { addMistakes, gallery, withSliders } from "./gallery.mjs";
-import { addAnswer, addMeasured, addSlides } from "./handout.mjs";
+import { addMeasured, addSlides } from "./handout.mjs";
 import { describe, landing } from "./landing.mjs";
 import { frame } from "./layout.mjs";
 import { measured } from "./measured.mjs";
@@ -103,7 +103,7 @@ const site = {
 const slider = read("../pages/compare.js");
 
 function decorate(page, slides) {
-  const text = addAnswer(addSlides(addMistakes(page.html, page.lab, page.folder), slides), page.folder);
+  const text = addSlides(addMistakes(page.html, page.lab, page.folder), slides);
   const sliding = withSliders(addMeasured(text, measured(page.lab, output)), slider);
   const { scripts = [], ...rest } = withFigure(sliding.html, page.lab, site.picture) ?? { html: sliding.html };
   return { ...rest, scripts: [...scripts, ...sliding.scripts] };

@@ -1,6 +1,7 @@
 #include "watch/after_lab.h"
 
 #include "exam/handed_out.h"
+#include "watch/after_points.h"
 
 #include <string.h>
 
@@ -20,6 +21,18 @@ static void show_head(Sheet *sheet, const char *head) {
     sheet_line(sheet, STYLE_BOLD, "%s", head);
 }
 
+// Each answer stands under what its question is about: the question itself stands in the handout.
+static void show_answers(Sheet *sheet, const AfterwordAnswer *answers) {
+    char text[AFTERWORD_MAX_ABOUT + 8];
+    show_head(sheet, "The handout's three questions, answered");
+    for (int q = 0; q < AFTERWORD_QUESTIONS; q++) {
+        snprintf(text, sizeof text, "%d. %s", q + 1, answers[q].about);
+        sheet_text(sheet, STYLE_BOLD, 2, text);
+        for (int i = 0; i < answers[q].part_count; i++)
+            sheet_text(sheet, STYLE_PLAIN, 5, answers[q].parts[i]);
+    }
+}
+
 // Several parts are told apart by a dash.
 static void show_parts(Sheet *sheet, const char *head, const char *const *parts, int count) {
     char text[AFTERWORD_MAX_TEXT + 4];
@@ -32,9 +45,12 @@ static void show_parts(Sheet *sheet, const char *head, const char *const *parts,
 
 void after_lab_show(Sheet *sheet, const LabBoard *board, int lab) {
     const Afterword *afterword = &board->afterwords[lab];
+    char folder[FILES_PATH];
+    lab_board_lab_folder(board, lab, folder);
     if (afterword->idea) {
         show_parts(sheet, "The idea", &afterword->idea, 1);
-        show_parts(sheet, "The handout's question, answered", afterword->answers, afterword->answer_count);
+        show_answers(sheet, afterword->answers);
+        after_points_show(sheet, &board->rubrics[lab], folder);
         show_parts(sheet, "To try in the window (r)", afterword->tries, afterword->try_count);
         show_parts(sheet, "Another way", &afterword->other_way, 1);
     }

@@ -14,7 +14,9 @@
 #include <cmocka.h>
 
 #define IDEA "\"idea\": \"i\""
-#define ANSWER "\"answer\": [\"a\", \"b\"]"
+#define ONE(about) "{\"about\": \"" about "\", \"answer\": [\"a\", \"b\"]}"
+#define ASKED(first) "\"questions\": [" first ", " ONE("v") ", " ONE("w") "]"
+#define ANSWER ASKED(ONE("u"))
 #define WAY "\"another way\": \"w\""
 #define TRY "\"try\": [\"t\"]"
 
@@ -34,8 +36,12 @@ static void test_good(void **unused) {
     Afterword afterword;
     assert_true(load(&afterword, "{" IDEA ", " ANSWER ", " WAY ", " TRY "}"));
     assert_string_equal(afterword.idea, "i");
-    assert_int_equal(afterword.answer_count, 2);
-    assert_string_equal(afterword.answers[1], "b");
+    for (int q = 0; q < AFTERWORD_QUESTIONS; q++) {
+        assert_int_equal(afterword.answers[q].part_count, 2);
+        assert_string_equal(afterword.answers[q].parts[1], "b");
+    }
+    assert_string_equal(afterword.answers[0].about, "u");
+    assert_string_equal(afterword.answers[2].about, "w");
     assert_string_equal(afterword.other_way, "w");
     assert_int_equal(afterword.try_count, 1);
     afterword_destroy(&afterword);
@@ -58,9 +64,20 @@ static void test_wrong(void **unused) {
         {"[]", "expected an object { }"},
         {"{" IDEA ", " ANSWER ", " WAY "}", "try: is missing; write a list"},
         {"{" IDEA ", " ANSWER ", " WAY ", " TRY ", \"tries\": []}", "there is no key \"tries\""},
-        {"{" IDEA ", \"answer\": \"a\", " WAY ", " TRY "}", "answer: \"a\" does not fit; write a list"},
-        {"{" IDEA ", \"answer\": [], " WAY ", " TRY "}", "answer: [] does not fit; write a list"},
-        {"{" IDEA ", \"answer\": [\"a\", 3], " WAY ", " TRY "}", "answer[1]: 3 does not fit; write a text"},
+        {"{" IDEA ", \"answer\": [\"a\"], " WAY ", " TRY "}", "there is no key \"answer\""},
+        {"{" IDEA ", \"questions\": [" ONE("u") ", " ONE("v") "], " WAY ", " TRY "}",
+         "write a list [ ] of 3 to 3 entries"},
+        {"{" IDEA ", \"questions\": [" ONE("t") ", " ONE("u") ", " ONE("v") ", " ONE("w") "], " WAY ", " TRY
+                                                                                          "}",
+         "write a list [ ] of 3 to 3 entries"},
+        {"{" IDEA ", " ASKED("\"a\"") ", " WAY ", " TRY "}",
+         "questions[0]: \"a\" does not fit; write an object"},
+        {"{" IDEA ", " ASKED("{\"about\": \"u\"}") ", " WAY ", " TRY "}", "questions[0]: answer: is missing"},
+        {"{" IDEA ", " ASKED(ONE("")) ", " WAY ", " TRY "}", "questions[0]: about: \"\" does not fit"},
+        {"{" IDEA ", " ASKED("{\"about\": \"u\", \"answer\": []}") ", " WAY ", " TRY "}",
+         "answer: [] does not fit"},
+        {"{" IDEA ", " ASKED("{\"about\": \"u\", \"answer\": [\"a\", 3]}") ", " WAY ", " TRY "}",
+         "questions[0]: answer[1]: 3 does not fit; write a text"},
         {"{" IDEA ", " ANSWER ", " WAY ", \"try\": [\"1\", \"2\", \"3\", \"4\", \"5\", \"6\", \"7\"]}",
          "try: "},
     };

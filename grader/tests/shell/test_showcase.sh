@@ -40,6 +40,21 @@ cmp -s "$work/own.png" "$work/shown-0.png" && ok || bad "the student's own pictu
 "$root/$BUILD/frame" --lab 03 --colors quiet --fine 2 "${words[@]}" --size 800x600 "$work/ours.png"
 cmp -s "$work/ours.png" "$work/shown-0.png" && bad "ours in its place" || ok
 has "soft shadows: lab.c does not compile"
+# The chart of what make study has measured: a lab's own, and nothing where the table is damaged.
+[[ $page != *"<svg"* ]] && ok || bad "a chart of nothing"
+chart() { # MS ERROR MESSAGE: of the student
+    printf '%s\n' scene,title,method,setting,whose,ms,error,message 'a,"Plates <1>",box,"5 x 5, 9",recorded,4,0.002,' "a,\"Plates <1>\",box,\"5 x 5, 9\",yours,$1,$2,${3:-}" >"$made/study-03.csv"
+    shows
+}
+chart 5 0.004 ""
+expect "a chart" 0 "2 labs"
+has "<svg" "<circle" "Plates &lt;1&gt;, measured on $(date +%F)" "Most accurate: box, 5 x 5, 9, 0.4 % in 5 ms (the solution: 0.2 % in 4 ms)"
+[[ $(grep -o '<figure class="chart">' <<<"$page" | wc -l) == 1 ]] && ok || bad "one chart" "$page"
+for odd in "x 0.1" "5 x" "0 0.1" "5 0.1 crashed" "nan 0.1" "5 inf"; do
+    chart $odd
+    [[ $status == 0 && $page != *"<svg"* ]] && ok || bad "no chart of $odd" "$out"
+done
+rm "$made/study-03.csv"
 for text in '{' '[]' '{"labs": 3}'; do
     echo "$text" >"$SHADOW_LAB_PROGRESS"
     shows

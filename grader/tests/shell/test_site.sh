@@ -78,6 +78,24 @@ if "slides.html" not in pages["index.html"].links: say("index.html has no link t
 print(len(pages), "pages", sum(p.math for p in pages.values()), "formulas")
 sys.exit(wrong > 0)
 PYTHON
+# No page holds an answer to a handout's question: they are told when the lab is done.
+cat >"$work/answers.py" <<'PYTHON'
+import html, json, pathlib, re, sys
+bare = lambda text: re.sub(r"\W+", "", text)
+pages = {page.name: bare(html.unescape(re.sub("<[^>]*>", "", page.read_text()))) for page in pathlib.Path(sys.argv[1]).glob("*.html")}
+parts = [part for file in sys.argv[2:] for question in json.load(open(file))["questions"] for part in question["answer"]]
+told = [f"{name}: {part[:60]}" for name, page in pages.items() for part in parts if bare(part)[:40] in page]
+print(*told, f"{len(parts)} parts of answers, {len(told)} told", sep="\n")
+sys.exit(bool(told) or not parts)
+PYTHON
+answers() { runs python3 "$work/answers.py" "$1" solutions/*/afterword.json; }
+answers "$site"
+expect "no answer on a page" 0 " 0 told"
+mkdir "$work/telling"
+python3 -c 'import html, json; print("<p>" + html.escape(json.load(open("'solutions/04-acne-and-bias/afterword.json'"))["questions"][2]["answer"][0]) + "</p>")' >"$work/telling/a.html"
+answers "$work/telling"
+expect "an answer on a page is seen" 1 "a.html: The point stands" " 1 told"
+
 look() { runs python3 "$work/look.py" "$site" "${sources[@]}"; }
 sources=(README.md labs/[0-9][0-9]-*[!0-9]/README.md common/DEBUGGING.md .github/CONTRIBUTING.md grader/README.md "${rooms[@]}")
 look

@@ -64,10 +64,10 @@ sees "a save of the predictions is noticed" "Predictions: 5 of 5 points"
 cp solutions/04-*/*.{c,frag} labs/04-*/
 sees "the lab is done" "Lab 04 is done: 100 of 100 points"
 sees "how to go on" "This lab is done\. n goes on to lab 05"
-sees "the answer to its question" "The handout's question, answered"
+sees "the answers to its questions" "The handout's three questions, answered"
 type n
 sees "the next lab is graded" "Task 5\.1  labs/05"
-[[ $out != *"question, answered"* ]] && ok || bad "an answer to a lab that is not done" "$out"
+[[ $out != *"questions, answered"* ]] && ok || bad "an answer to a lab that is not done" "$out"
 python3 -c 'import json,sys; l=json.load(open(sys.argv[1]))["labs"]; assert l["04"]["done"] and l["04"]["best"] == 100 and not l["05"]["done"]' "$SHADOW_LAB_PROGRESS" && ok || bad "the progress is kept" "$(cat "$SHADOW_LAB_PROGRESS")"
 
 # Keys.
@@ -148,7 +148,26 @@ expect "without a terminal, not done" 1 "does not compile"
 # The answer on paper: only of what is done. A reset takes the points back.
 answers() { status=0; out=$(build/watch "$@" 2>&1 </dev/null) || status=$?; }
 answers --lab 04 --answer
-expect "the answer of a lab that is done" 0 "The idea" "The handout's question, answered" "To try in the window" "make showcase"
+expect "the answer of a lab that is done" 0 "The idea" "The handout's three questions, answered" "To try in the window" "make showcase"
+# What make study has measured, in words; what is older than the files is said to be.
+for ours in '1,0.02 2,0.005' '3,0.001 7,0.001'; do
+    printf '"a","Plates, two of them","%s","9 x 9","recorded",%s,""\n"a","Plates, two of them","%s","9 x 9","yours",%s,""\n' "m ${ours%%,*}" "${ours% *}" "m ${ours%%,*}" "${ours#* }"
+done | sed '1i scene,title,method,setting,whose,ms,error,message' >build/study-04.csv
+answers --lab 04 --answer
+expect "error against time" 0 "Your methods: error against time" "Plates, two of them" "your most accurate: m 3, 9 x 9: 0.1 % in 7 ms (our solution: 0.1 % in 3 ms)" \
+    "in at most half of that time: m 3" "build/study-04.html"
+[[ $out != *"older than"* ]] && ok || bad "numbers of now" "$out"
+touch -d "last year" build/study-04.csv
+answers --lab 04 --answer
+expect "numbers of long ago" 0 "older than your files: make study again"
+echo '<html>' >build/study-04.csv
+answers --lab 04 --answer
+expect "what is no table" 0 "To try in the window"
+[[ $out != *"Your methods"* ]] && ok || bad "nothing was recorded" "$out"
+echo '{}' >solutions/04-acne-and-bias/study.json
+answers --lab 04 --answer
+expect "what could be measured" 0 'make study LAB=04 SUBMISSION=labs` measures them'
+rm build/study-04.csv solutions/04-acne-and-bias/study.json
 answers --lab 05 --answer
 expect "no answer of a lab that is open" 1 "Lab 05 is not done yet"
 [[ $out != *"answered"* ]] && ok || bad "an answer too early" "$out"
