@@ -1,8 +1,8 @@
-// Scenes of cascades: a long floor with few casters, each so much larger as it is farther away; and plates
-// high above it.
+// Scenes of cascades: a long floor with few casters, each so much larger as it is farther away; slabs over
+// it; and plates high above.
 #include "scene/scene_parts.h"
 
-enum { CASTERS = 5, PLATES = 3 };
+enum { CASTERS = 5, SLABS = 4, PLATES = 3 };
 #define NEAREST 1.7F // where the floor is seen: eye heights before the eye
 
 // How the camera stands: its height, and the turn about +y (degrees) of where it looks.
@@ -48,7 +48,7 @@ static float distance_of(const Scene *scene, const Stand *stand, int i, int coun
     return nearest * powf(ratio, (float)i / (float)(count - 1));
 }
 
-static void make_casters(Scene *scene, Random *random, float lowest, float highest) {
+static void make_floor(Scene *scene, Random *random) {
     Stand stand = begin(scene, random);
     for (int i = 0; i < CASTERS; i++) {
         float ahead = distance_of(scene, &stand, i, CASTERS) * random_range(random, 0.95f, 1.1f);
@@ -62,16 +62,21 @@ static void make_casters(Scene *scene, Random *random, float lowest, float highe
             part_object(scene, SHAPE_BOX, place(&stand, aside, high, ahead), vec3_make(wide, high, wide),
                         random_range(random, 0, 90), part_color(random));
     }
-    add_sun(scene, random, lowest, highest);
+    add_sun(scene, random, 30, 60);
 }
 
-static void make_floor(Scene *scene, Random *random) {
-    make_casters(scene, random, 30, 60);
-}
-
-// The sun so high that all of the floor is in the spheres' depths, or behind them.
+// Slabs over the floor, and the sun so high that all of the floor is in the spheres' depths, or behind them.
 static void make_noon(Scene *scene, Random *random) {
-    make_casters(scene, random, 74, 85);
+    Stand stand = begin(scene, random);
+    for (int i = 0; i < SLABS; i++) {
+        float ahead = distance_of(scene, &stand, i, SLABS), side = i % 2 ? 1 : -1;
+        float high = ahead * random_range(random, 0.06f, 0.12f),
+              half = ahead * random_range(random, 0.1f, 0.15f);
+        part_object(scene, SHAPE_BOX,
+                    place(&stand, side * ahead * random_range(random, 0.08f, 0.16f), high, ahead),
+                    vec3_make(half, 0.01f * ahead, half), random_range(random, 0, 90), part_color(random));
+    }
+    add_sun(scene, random, 74, 85);
 }
 
 // Plates so far towards the sun that they are outside of the spheres of the slices that they darken.
