@@ -10,6 +10,15 @@ static bool is_utf16(const char *text, size_t size) {
                       ((text[2] == '\0') != (text[3] == '\0')));
 }
 
+// .docx, .xlsx and .odt are zip archives; before them came compound files.
+static bool is_document(const char *text, size_t size) {
+    static const char *const begins[] = {"PK\x03\x04", "\xd0\xcf\x11\xe0", "{\\rtf", "%PDF"};
+    for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++)
+        if (size >= strlen(begins[i]) && memcmp(text, begins[i], strlen(begins[i])) == 0)
+            return true;
+    return false;
+}
+
 static int line_of(const char *text, size_t at) {
     int line = 1;
     for (size_t i = 0; i < at; i++)
@@ -20,6 +29,8 @@ static int line_of(const char *text, size_t at) {
 bool text_check(char *text, size_t size, const char *name) {
     if (is_utf16(text, size))
         return check_fail("%s is stored as UTF-16: save it as UTF-8", name);
+    if (is_document(text, size))
+        return check_fail("%s is a document of an office program: save it as plain text (UTF-8)", name);
     const char *zero = memchr(text, '\0', size);
     if (zero)
         return check_fail("%s:%d: there is a byte 0 in the text: save it as plain text (UTF-8)", name,

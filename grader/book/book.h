@@ -49,7 +49,8 @@ typedef struct Book {
     LateRule late;
     BookRow *rows; // the table's entries in their order, then who handed in nothing, in the list's order
     int count;
-    const Copies *copies; // pairs with code in common; NULL: this run did not look for them
+    const struct SharedSheets *sheets; // of predictions, that several students have; NULL: not looked for
+    const Copies *copies;              // pairs with code in common; NULL: this run did not look for them
 } Book;
 
 // Appends to what people should know of a row.

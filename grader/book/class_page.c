@@ -104,6 +104,7 @@ char *class_page(const Book *book, char *const *names) {
     page_part_matrix(&page);
     page_part_tasks(&page);
     page_part_looks(&page);
+    page_part_sheets(&page);
     page_part_copies(&page);
     write_all(&page);
     summary_destroy(&page.summary);

@@ -1,8 +1,10 @@
+// Puts together what becomes of the records, writes it, and says what people should know.
 #include "book/gradebook.h"
 
 #include "book/anonymous.h"
 #include "book/class_page.h"
 #include "book/grades_csv.h"
+#include "book/shared_sheets.h"
 #include "copies/copies.h"
 
 #include <stdio.h>
@@ -66,6 +68,13 @@ static void say_stale(const Book *book) {
                 first);
 }
 
+static void say_sheets(const SharedSheets *shared, const char *output) {
+    if (shared->count > 0)
+        fprintf(stderr,
+                "grade: %d hand-ins have predictions with the sheet of somebody else: %s/index.html\n",
+                shared->count, output);
+}
+
 static bool find_copies(Copies *copies, const Table *table, const ClassSettings *settings) {
     if (!copies_find(copies, table, settings) || !copies_write(copies, table, settings->output))
         return false;
@@ -77,8 +86,11 @@ bool gradebook_write(const Table *table, const ClassSettings *settings, void *co
     const GradebookSettings *wanted = context;
     Book book;
     Copies copies = {.count = 0};
+    SharedSheets sheets;
     if (!book_open(&book, table, settings->output, &wanted->files))
         return false;
+    shared_sheets_find(&sheets, &book);
+    book.sheets = &sheets;
     bool ok = grades_csv_write(settings->output, &book) &&
               export_write(&book, settings->output, wanted->exports, wanted->no_points) &&
               (!wanted->anonymous ||
@@ -90,7 +102,9 @@ bool gradebook_write(const Table *table, const ClassSettings *settings, void *co
         say_list(&book);
         say_times(&book);
         say_stale(&book);
+        say_sheets(&sheets, settings->output);
     }
+    shared_sheets_destroy(&sheets);
     book_close(&book);
     copies_destroy(&copies);
     return ok && compared;

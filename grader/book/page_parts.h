@@ -1,6 +1,7 @@
 // What the parts of a class's page share.
 #pragma once
 
+#include "book/shared_sheets.h"
 #include "book/summary.h"
 #include "pages/page.h"
 
@@ -28,6 +29,9 @@ void page_part_tasks(ClassPage *page);
 
 // Pairs of hand-ins with code in common, where this run looked for them.
 void page_part_copies(ClassPage *page);
+
+// Students whose predictions are of one sheet.
+void page_part_sheets(ClassPage *page);
 
 // Who is not graded, has no picture, has a note, is ignored.
 void page_part_looks(ClassPage *page);

@@ -22,32 +22,60 @@ typedef struct Seen {
     bool sheet, entry[RUBRIC_MAX_PREDICTIONS];
 } Seen;
 
-static bool is_gap(char c) {
-    return c == ' ' || c == '\t' || c == '\r' || c == '=' || c == ':';
+// What keyboards and office programs write for a space and for a minus.
+static const char *const spaces[] = {" ", "\t", "\r", "=", ":", "\u00a0", "\u2007", "\u2009", "\u202f"};
+static const char *const dashes[] = {"\u2212", "\u2010", "\u2011", "\u2013", "\u2014"};
+
+// The length of the one of `texts` that stands at `at`; 0: none does.
+static size_t length_at(const char *const *texts, size_t count, const char *at, const char *end) {
+    for (size_t i = 0; i < count; i++) {
+        const size_t length = strlen(texts[i]);
+        if ((size_t)(end - at) >= length && memcmp(at, texts[i], length) == 0)
+            return length;
+    }
+    return 0;
+}
+
+static size_t gap_at(const char *at, const char *end) {
+    return length_at(spaces, sizeof spaces / sizeof spaces[0], at, end);
+}
+
+static const char *after_gaps(const char *at, const char *end) {
+    for (size_t gap; at < end && (gap = gap_at(at, end)) > 0;)
+        at += gap;
+    return at;
+}
+
+// Where the text before `end` stops, without the gaps at its end.
+static const char *last_of(const char *at, const char *end) {
+    const char *last = at;
+    for (size_t gap; at < end; at += gap ? gap : 1, last = gap ? last : at)
+        gap = gap_at(at, end);
+    return last;
 }
 
 // Copies what can be printed; the rest becomes "?" or, for bytes of UTF-8 after the first, nothing.
 static void copy(char *to, size_t size, const char *from, size_t length) {
     size_t n = 0;
-    for (size_t i = 0; i < length && n + 1 < size; i++)
-        if (((unsigned char)from[i] & 0xc0) != 0x80)
-            to[n++] = from[i] >= ' ' && from[i] < 0x7f ? from[i] : '?';
+    for (const char *end = from + length; from < end && n + 1 < size; from++) {
+        const size_t dash = length_at(dashes, sizeof dashes / sizeof dashes[0], from, end);
+        if (dash > 0)
+            to[n++] = '-';
+        else if (((unsigned char)*from & 0xc0) != 0x80)
+            to[n++] = *from >= ' ' && *from < 0x7f ? *from : '?';
+    }
     to[n] = '\0';
 }
 
 static Typed split(const char *line, size_t length) {
     Typed typed = {0};
-    const char *comment = memchr(line, '#', length), *end = comment ? comment : line + length;
-    while (line < end && is_gap(*line))
-        line++;
-    while (line < end && is_gap(end[-1]))
-        end--;
-    const char *word = line;
-    while (line < end && !is_gap(*line))
+    const char *comment = memchr(line, '#', length);
+    const char *word = after_gaps(line, comment ? comment : line + length);
+    const char *end = last_of(word, comment ? comment : line + length);
+    for (line = word; line < end && !gap_at(line, end);)
         line++;
     copy(typed.word, sizeof typed.word, word, (size_t)(line - word));
-    while (line < end && is_gap(*line))
-        line++;
+    line = after_gaps(line, end);
     typed.cut = end - line >= MAX_WORD;
     copy(typed.value, sizeof typed.value, line, (size_t)(end - line));
     return typed;

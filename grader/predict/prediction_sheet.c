@@ -12,7 +12,7 @@
 #include <string.h>
 #include <sys/random.h>
 
-enum { WIDTH = 100, LEAST_SHEET = 1000, MOST_SHEET = 999999 };
+enum { WIDTH = 100 };
 
 // Lines of comment, broken at spaces.
 static void write_comment(FILE *out, const char *text) {
@@ -89,7 +89,7 @@ static bool write_new(const Rubric *rubric, const char *path) {
     uint32_t drawn;
     if (getrandom(&drawn, sizeof drawn, 0) != sizeof drawn)
         return check_fail("no random number for %s", path);
-    char *text = prediction_sheet_text(rubric, LEAST_SHEET + drawn % (MOST_SHEET - LEAST_SHEET + 1));
+    char *text = prediction_sheet_text(rubric, PREDICTION_FIRST_SHEET + drawn % PREDICTION_SHEETS);
     const bool ok = files_write_whole(path, text, true);
     free(text);
     return ok;

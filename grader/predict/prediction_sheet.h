@@ -5,6 +5,9 @@
 
 #include <stdbool.h>
 
+// Sheets that are drawn, from the least number on.
+enum { PREDICTION_FIRST_SHEET = 1000, PREDICTION_SHEETS = 999000 };
+
 // The file's text for a lab with predictions: with sheet 0 as it is handed out, where the questions have
 // names in place of numbers. Freed by the caller.
 char *prediction_sheet_text(const Rubric *rubric, long sheet);

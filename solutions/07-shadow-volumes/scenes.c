@@ -8,12 +8,15 @@ static vec3s beside(const Scene *scene, Random *random, float least, float most,
     return part_orbit(vec3_make(0, 0, 0), camera + side * random_range(random, least, most), elevation, 9);
 }
 
+// The floor has a wide highlight, which moves with the eye.
 static void make_volume_spot(Scene *scene, Random *random) {
     part_begin(scene, random);
-    part_floor(scene, 6, random);
+    Object *floor = part_floor(scene, 6, random);
     part_casters(scene, random);
     vec3s lamp = beside(scene, random, 35, 80, random_range(random, 35, 55));
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
+    floor->specular = random_range(random, 0.6f, 0.8f);
+    floor->shininess = random_range(random, 4, 7);
 }
 
 // The sun's position is only a place to look from, here a near one: who takes it for a lamp's sees it.

@@ -178,6 +178,43 @@ static void make_eye(Scene *scene, Random *random) {
     scene->camera.near_plane = random_range(random, 0.015f, 0.03f);
 }
 
+// A wide sheet on the way from the eye to the light, so far away, leans by `lean` (radians): some of its
+// corners lie before the eye, others behind it. `turned` by half a turn those are others.
+static void add_roof(Scene *scene, Random *random, vec3s place, vec3s axis, float lean, float away,
+                     bool turned) {
+    vec3s eye = scene->camera.eye, back = glms_vec3_normalize(glms_vec3_sub(place, eye));
+    vec3s x = glms_vec3_normalize(glms_vec3_cross(axis, back)), y = glms_vec3_rotate(back, lean, x);
+    vec3s half = vec3_make(random_range(random, 1.1f, 1.6f), 1, random_range(random, 1.1f, 1.6f));
+    vec3s center = glms_vec3_muladds(back, away, eye);
+    center = glms_vec3_muladds(x, random_range(random, 0.2f, 0.4f), center); // past the diagonal
+    if (turned)
+        x = glms_vec3_negate(x);
+    mat4s axes = glms_mat4_identity();
+    axes.col[0] = glms_vec4(x, 0);
+    axes.col[1] = glms_vec4(y, 0);
+    axes.col[2] = glms_vec4(glms_vec3_cross(x, y), 0);
+    Object *sheet = part_object(scene, SHAPE_PLANE, center, half, 0, part_color(random));
+    sheet->world_from_object = glms_scale(glms_mat4_mul(glms_translate_make(center), axes), half);
+}
+
+// Two of them close to the eye, in whose corners it does not lie alike, and one whose volume may end before
+// it. The light is behind the camera.
+static void make_roofs(Scene *scene, Random *random) {
+    part_begin(scene, random);
+    part_floor(scene, 6, random);
+    part_casters(scene, random);
+    vec3s eye = scene->camera.eye, view = glms_vec3_normalize(glms_vec3_sub(scene->camera.target, eye));
+    vec3s back = glms_vec3_normalize(glms_vec3_sub(jitter(random, 0.15f), view));
+    vec3s place = glms_vec3_muladds(back, random_range(random, 3, 4), eye), axis = jitter(random, 1);
+    float lean = glm_rad(random_range(random, 34, 42));
+    add_roof(scene, random, place, axis, lean, 0.15f, false);
+    add_roof(scene, random, place, axis, lean, 0.27f, true);
+    add_roof(scene, random, place, axis, lean, 1, random_int(random, 0, 1));
+    light_eye(scene, random, place);
+    shuffle(scene, random);
+    scene->camera.near_plane = random_range(random, 0.015f, 0.03f);
+}
+
 // The near plane lies far before the eye, and cuts volumes; the eye is in one of them at most.
 static void make_near_cut(Scene *scene, Random *random) {
     part_begin(scene, random);
@@ -198,11 +235,8 @@ static void make_near_cut(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"edges lamp", make_lamp},
-    {"edges sun", make_sun},
-    {"edges boxes", make_boxes},
-    {"edges sheets", make_sheets},
-    {"eye in volumes", make_eye},
-    {"near plane cuts", make_near_cut},
-    {0},
+    {"edges lamp", make_lamp},          {"edges sun", make_sun},
+    {"edges boxes", make_boxes},        {"edges sheets", make_sheets},
+    {"eye in volumes", make_eye},       {"roofs over the eye", make_roofs},
+    {"near plane cuts", make_near_cut}, {0},
 };

@@ -181,6 +181,8 @@ static void make(const char *kind, const char *path) {
         make_big(path);
     else if (strcmp(kind, "UTF-16") == 0)
         make_bytes(path, wide, sizeof wide - 1);
+    else if (strcmp(kind, "docx") == 0)
+        make_bytes(path, "PK\3\4\24\0word/document.xml", 23);
     else if (strcmp(kind, "zero") == 0)
         make_bytes(path, zero, sizeof zero - 1);
     else if (strcmp(kind, "link") == 0)
@@ -197,6 +199,7 @@ static void test_bad_files(void **unused) {
     static const char *const bad[][2] = {{"none", "no prediction is handed in"},
                                          {"big", "predictions.txt"},
                                          {"UTF-16", "UTF-16: save it as UTF-8"},
+                                         {"docx", "a document of an office program: save it as plain text"},
                                          {"zero", "a byte 0"},
                                          {"link", "symbolic link"},
                                          {"folder", "predictions.txt"},

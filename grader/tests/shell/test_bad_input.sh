@@ -77,6 +77,10 @@ if [[ -s $root/$BUILD/worker_address ]]; then
         "$work"/overflow-08/*/lab.c
     grades --lab 08 --seed 1 "$work/overflow-08"
     expect overflow-08 1 "heap-buffer-overflow in pad_chart (lab.c:" "past the end of an array of" "ok     7.00/7   8.8" "ok     6.00/6   8.9"
+    solved null >/dev/null # through the other jail
+    sed -i 's/^    const Light \*light = &frame->scene->lights\[0\];/    const Light *light = NULL;/' "$(c null)"
+    grades --lab 03 --seed 1 --jail landlock "$work/null"
+    expect null 1 "AddressSanitizer: SEGV in light_clip_from_world (lab.c:" "through a pointer that is NULL, or nearly"
     put aborts 'abort();'
     case_ aborts 1 "it crashed: Aborted (ABRT) in shadow map"
     grep -q AddressSanitizer <<<"$out" && bad "the sanitizer repeats what is known" "$out" || ok

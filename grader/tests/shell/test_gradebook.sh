@@ -36,7 +36,12 @@ is "who handed in nothing" "$(row 104 student "lab 03" total status submission)"
 is "who is not on the list" "$(row guest "lab 03" status note)" "1|0.00|failed|not on the roster"
 grep -q '4 submissions, 4 graded, 0 not graded, 1 students handed in nothing' "$output/index.html" && ok || bad "the page counts" "$(grep submissions "$output/index.html")"
 gather
-expect "OUT keeps the list" 0 "1 of 4 handed in nothing"
+expect "OUT keeps the list" 0 "1 of 4 handed in nothing" "2 hand-ins have predictions with the sheet of somebody else"
+sheets() { sed -n '/<h2>One sheet of predictions/,/<\/table>/p' "$output/index.html" | grep -oE '>(Ann Lee|Zoë Ñandú|guest)</a>' | tr -d '\n'; }
+is "whose predictions have one sheet" "$(sheets)" ">Ann Lee</a>>Zoë Ñandú</a>"
+sed -i 's/"sheet": [1-9][0-9]*/"sheet": 77/' "$output"/results/Zo*.json "$output"/results/guest*.json # as if each had drawn his own
+gather
+[[ $out != *sheet* && -z $(sheets) ]] && ok || bad "everybody's own sheet" "$out"
 
 # A dry run looks at the class and at the run, and changes nothing.
 state() { find "$output" "$class" -type f -exec md5sum {} + | sort; }
