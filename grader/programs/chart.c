@@ -208,9 +208,21 @@ static bool open_output(StudyPlan *plan, Output *output) {
            begin_file(&output->needs, plan->output, "needs.txt");
 }
 
+// Without an object that no scene has, the study would be the whole one.
+static bool has_left_out(const ChartCommand *command) {
+    static Scene scene;
+    bool any = command->without == 0;
+    for (int i = 0; !any && study_scene(i); i++) {
+        study_scene(i)->make(&scene);
+        any = is_wanted(command, study_scene(i)) && command->without <= scene.object_count;
+    }
+    return any || check_fail("none of these scenes has an object %d; --list tells how many each has",
+                             command->without - 1);
+}
+
 static bool study(const ChartCommand *command, StudyPlan *plan) {
     static Output output;
-    if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
+    if (!has_left_out(command) || !open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
     findings_csv_head(output.csv.out);
     findings_csv_views_head(output.views.out);
