@@ -4,6 +4,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
+#include "base/temporary.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "study/chart_svg.h"
@@ -220,9 +221,22 @@ static bool has_left_out(const ChartCommand *command) {
                              command->without - 1);
 }
 
+// Before anything is measured: an hour later would be late.
+static bool has_submission(const ChartCommand *command) {
+    char folder[FILES_PATH], path[FILES_PATH];
+    if (!command->submission)
+        return true;
+    if (!places_find_lab_in(folder, command->submission, command->lab))
+        files_join(folder, command->submission, "");
+    files_join(path, folder, "lab.c");
+    return files_exists(path) || check_fail("there is no lab %s in %s: no lab.c in it or in %s-*/",
+                                            command->lab, command->submission, command->lab);
+}
+
 static bool study(const ChartCommand *command, StudyPlan *plan) {
     static Output output;
-    if (!has_left_out(command) || !open_output(plan, &output) || !chart_page_begin(output.page.out))
+    if (!has_left_out(command) || !has_submission(command) || !open_output(plan, &output) ||
+        !chart_page_begin(output.page.out))
         return false;
     findings_csv_head(output.csv.out);
     findings_csv_views_head(output.views.out);
@@ -280,6 +294,7 @@ int main(int count, char **arguments) {
     ContextKind drawing = command.context; // CONTEXT_ANY stays: only who asks for EGL gets a GPU's times
     command_line_settle_context(&command_line, &drawing);
     signal(SIGPIPE, SIG_IGN);
+    temporary_on_signals();
     char standard[FILES_PATH];
     places_build_path(standard, "study");
     plan.output = command.output ? command.output : standard;

@@ -183,6 +183,10 @@ cmp -s <(grep -v '^rays\|submission' "$work/views") <(grep -v submission "$work/
 studies --scene edges --without 15 --output "$work/one"
 expect "an object that no scene has" 1 "none of these scenes has an object 15"
 
+mkdir "$work/empty"
+studies --scene edges --lab 05 --submission "$work/empty" --output "$work/one"
+expect "a submission without the lab" 1 "there is no lab 05 in $work/empty"
+
 studies --scene nowhere
 expect "unknown scene" 2 'there is no scene "nowhere"' "penumbra"
 studies --submission labs
