@@ -1,3 +1,4 @@
+// The parts of a rubric, where each stands for messages, and what must be freed.
 #include "compile/rubric.h"
 
 #include "scene/check.h"
