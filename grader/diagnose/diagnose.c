@@ -2,14 +2,13 @@
 // be at fault, a known mistake, and last what the pictures show. grader/diagnose/README.md gives the reasons.
 #include "diagnose/diagnose.h"
 
+#include "diagnose/describe.h"
 #include "diagnose/reset.h"
 #include "diagnose/swap.h"
-#include "diagnose/error_view.h"
 #include "diagnose/first_frame.h"
 #include "diagnose/wording.h"
 #include "exam/exam_matrix.h"
 #include "scene/check.h"
-#include "score/error_kind.h"
 #include "score/soft_kind.h"
 #include "score/whole_kind.h"
 
@@ -51,7 +50,7 @@ static void name_open(Diagnosis *this, int c, int t) {
     const Rubric *rubric = this->exam->rubric;
     const char *task = rubric->hints[t].task;
     char text[64];
-    snprintf(text, sizeof text, "task %s is not done", task);
+    snprintf(text, sizeof text, "task %s %s", task, wording_open(this->open.unsure[t]));
     name_cause(check, text, rubric_hint(rubric, task, 0));
     check->undone = true;
     check->cause_task = task;
@@ -163,33 +162,6 @@ static bool find_by_reset(Diagnosis *this, const WorkerClient *student, ResetFou
     return find_suspects(this, &found->known);
 }
 
-static void describe_size(CheckResult *check, const Variant *variant) {
-    const FrameFacts *yours = &check->facts[check->worst], *ours = &variant->facts;
-    snprintf(check->seen, sizeof check->seen, "the texture \"%s\" is %d x %d, and here it has to be %d x %d",
-             check->check->view, yours->stage_width, yours->stage_height, ours->stage_width,
-             ours->stage_height);
-}
-
-// What the picture shows, when it says something beside the cause.
-static void describe(CheckResult *check, int c, const Diagnosis *this) {
-    const Exam *exam = this->exam;
-    const int own = rubric_task_index(exam->rubric, check->check->task);
-    if (!check->yours[check->worst].rgba)
-        return;
-    const Touch touch = result_touch(check, exam->variants[c]);
-    if (check->wrong_size)
-        describe_size(check, &exam->variants[c][check->worst]);
-    else if (check->refused && check->error == 0)
-        snprintf(check->seen, sizeof check->seen, "the picture is right here, but OpenGL refused a call");
-    else if (touch == TOUCH_TASK_MISSING && own >= 0 && !this->open.marked[own])
-        snprintf(check->seen, sizeof check->seen, "your task %s has no effect here yet", check->check->task);
-    else if (touch == TOUCH_AS_SKELETON)
-        snprintf(check->seen, sizeof check->seen, "the picture is that of the lab as it was handed out");
-    else
-        error_kind(check->seen, sizeof check->seen, &check->yours[check->worst],
-                   &exam->variants[c][check->worst].reference, error_view_of(check->check, exam->rubric));
-}
-
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {
     const Rubric *rubric = this->exam->rubric;
     for (int c = 0; c < this->result->check_count; c++) {
@@ -207,7 +179,7 @@ static void name_failed(Diagnosis *this, const char *mistake, const char *hint) 
         else if (this->suspects.count > 0)
             check->cause_task = rubric->hints[this->suspects.tasks[0]].task;
         if (this->named.first < 0)
-            describe(check, c, this);
+            describe_check(check, c, this->exam, &this->open);
     }
 }
 
@@ -216,6 +188,13 @@ static void name_failed(Diagnosis *this, const char *mistake, const char *hint) 
 static bool is_example(const Diagnosis *this) {
     return this->named.first >= 0 && this->named.looks != NAMED_SHOWN && this->result->fault.reset &&
            this->result->fault.count > 0;
+}
+
+static void find_no_effect(Diagnosis *this) {
+    Suspects *suspects = &this->suspects;
+    for (int i = 0; i < suspects->count && !suspects->no_effect; i++)
+        suspects->no_effect = describe_no_effect(this->result, this->exam, this->failed,
+                                                 this->exam->rubric->hints[suspects->tasks[i]].task);
 }
 
 static void name_faults(Diagnosis *this) {
@@ -227,6 +206,7 @@ static void name_faults(Diagnosis *this) {
         this->named.first = -1;
     }
     const bool named = this->named.first >= 0;
+    find_no_effect(this);
     if (named) {
         wording_names(cause, sizeof cause, &this->named, rubric);
         snprintf(hint, sizeof hint, "%s", rubric->mistakes[this->named.first].hint);
@@ -235,7 +215,7 @@ static void name_faults(Diagnosis *this) {
         check_append(cause, sizeof cause, "%s", example);
     }
     name_failed(this, cause, hint);
-    wording_summary(this->result, named ? cause : NULL, &this->suspects, NULL, rubric);
+    wording_summary(this->result, named ? cause : NULL, &this->suspects, rubric);
     if (named)
         snprintf(this->result->advice, sizeof this->result->advice, "%s", hint);
 }
@@ -282,7 +262,8 @@ bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, FaultS
     sort_checks(&this);
     if (!this.any_failed) {
         if (this.next)
-            wording_summary(result, NULL, &this.suspects, this.next, exam->rubric);
+            wording_next(result, this.next,
+                         wording_open(this.open.unsure[rubric_task_index(exam->rubric, this.next)]));
         return true;
     }
     if (!find_fault(&this, student, search))

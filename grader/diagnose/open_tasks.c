@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "compile/lab_folder.h"
 #include "compile/tokens.h"
+#include "diagnose/task_text.h"
 #include "exam/handed_out.h"
 #include "score/score.h"
 #include "scene/check.h"
@@ -36,16 +37,31 @@ static bool stands_as_handed_out(const char *mark, const char *at, const char *s
 }
 
 // As in the lab as it was handed out, or, where we have it, as in the lab with all tasks done but this one:
-// what follows may be the place of another task.
-static bool is_untouched(const char *mark, const char *at, const Rubric *rubric, int file, int t) {
+// what follows may be the place of another task. Where TODOs beside it are gone, a few words tell.
+static TaskText compare(const char *text, const char *at, const char *mark, const char *skeleton,
+                        const char *without) {
+    const TaskText found = task_text_compare(text, at, mark, skeleton);
+    if (found == TASK_TEXT_HANDED_OUT ||
+        (without && task_text_compare(text, at, mark, without) == TASK_TEXT_HANDED_OUT))
+        return TASK_TEXT_HANDED_OUT;
+    if (found != TASK_TEXT_UNKNOWN)
+        return found;
+    if (stands_as_handed_out(mark, at, skeleton) || (without && stands_as_handed_out(mark, at, without)))
+        return TASK_TEXT_HANDED_OUT;
+    if (without && task_text_put_before(text, at, mark, without))
+        return TASK_TEXT_WRITTEN;
+    return found;
+}
+
+static TaskText read_mark(const char *text, const char *at, const char *mark, const Rubric *rubric, int file,
+                          int t) {
     const Solved all_but = {SOLVED_ALL_BUT, rubric->hints[t].task};
     char *skeleton = handed_out_text(rubric, file);
     char *without = handed_out_alone() ? NULL : lab_folder_source(rubric, file, all_but);
-    const bool same = (skeleton && stands_as_handed_out(mark, at, skeleton)) ||
-                      (without && stands_as_handed_out(mark, at, without));
+    const TaskText found = skeleton ? compare(text, at, mark, skeleton, without) : TASK_TEXT_UNKNOWN;
     free(skeleton);
     free(without);
-    return same;
+    return found;
 }
 
 static void find_in(OpenTasks *tasks, const Rubric *rubric, int file, const char *text) {
@@ -53,8 +69,9 @@ static void find_in(OpenTasks *tasks, const Rubric *rubric, int file, const char
         char mark[32];
         snprintf(mark, sizeof mark, "TODO(%s)", rubric->hints[t].task);
         for (const char *at = strstr(text, mark); at; at = strstr(at + 1, mark)) {
-            tasks->marked[t] = true;
-            tasks->open[t] = tasks->open[t] || is_untouched(mark, at, rubric, file, t);
+            const TaskText found = read_mark(text, at, mark, rubric, file, t);
+            tasks->open[t] = tasks->open[t] || found == TASK_TEXT_HANDED_OUT;
+            tasks->unsure[t] = tasks->unsure[t] || found == TASK_TEXT_UNKNOWN;
         }
     }
 }
@@ -87,10 +104,12 @@ void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, cons
             find_in(tasks, rubric, i, text);
         free(text);
     }
+    for (int t = 0; t < EXAM_MAX_TASKS; t++)
+        tasks->unsure[t] = tasks->unsure[t] && !tasks->open[t];
     for (int c = 0; c < result->check_count; c++) {
         const int t = rubric_task_index(rubric, result->checks[c].check->task);
-        if (t >= 0 && tasks->marked[t] && !tasks->open[t] && !result->checks[c].passed)
-            tasks->open[t] = shows_no_effect(result, exam, c);
+        if (t >= 0 && tasks->unsure[t] && !result->checks[c].passed)
+            tasks->open[t] = tasks->open[t] || shows_no_effect(result, exam, c);
     }
     check_clear();
 }

@@ -9,7 +9,8 @@
 typedef struct Suspects {
     int tasks[EXAM_MAX_TASKS]; // by rubric_task_index, the most likely first
     int count;
-    bool certain; // undone, each fails just the checks in question
+    bool certain;          // undone, each fails just the checks in question
+    const char *no_effect; // one of them is written, and its checks show the lab without it; NULL: none
 } Suspects;
 
 // What is known of the tasks, by rubric_task_index.

@@ -83,6 +83,8 @@ static void add_cause(char *cause, size_t size, const LabResult *result, const S
     const Fault *fault = &result->fault;
     char place[400];
     wording_place(place, sizeof place, fault);
+    if (suspects->no_effect)
+        check_append(cause, size, "task %s has no effect yet; ", suspects->no_effect);
     if (fault->count > 1 && !fault->either)
         check_append(cause, size, "there are faults %s", place);
     else if (fault->count > 0)
@@ -113,15 +115,19 @@ void wording_names(char *text, size_t size, const Named *named, const Rubric *ru
         check_append(text, size, ", or something else there that leaves all of it lit, or all dark");
 }
 
-void wording_summary(LabResult *result, const char *mistake, const Suspects *suspects, const char *open,
-                     const Rubric *rubric) {
+const char *wording_open(bool unsure) {
+    return unsure ? "is not done, or has no effect yet" : "is not done";
+}
+
+void wording_next(LabResult *result, const char *task, const char *open) {
+    result->advice[0] = '\0';
+    snprintf(result->summary, sizeof result->summary, "task %s is next: it %s", task, open);
+}
+
+void wording_summary(LabResult *result, const char *mistake, const Suspects *suspects, const Rubric *rubric) {
     char *text = result->summary, place[400];
     const size_t size = sizeof result->summary;
     text[0] = result->advice[0] = '\0';
-    if (open) {
-        check_append(text, size, "task %s is next: it is not done", open);
-        return;
-    }
     wording_place(place, sizeof place, &result->fault);
     if (mistake)
         check_append(text, size, "%s", mistake);

@@ -67,6 +67,26 @@ grades --lab 03 --seed 1 "$work/upto"
 expect "an open task is no fault" 1 "=> task 3.6 is next: it is not done"
 [[ $out != *"the fault is"* ]] && ok || bad "no fault where a task is open" "$out"
 
+# A student who leaves a TODO above her code has done the task, or has no effect yet; as handed out it is not done.
+for search in "" --no-swap; do
+    folder=$(resolve left 03)
+    sed -i 's|^    return texture(u_shadow_map|    // TODO(3.5), second part: read\n&|; s|^    float depth = |    // TODO(3.5), second part: read\n&|
+        s|    if (position_map.z > 1.0)|    // TODO(3.8): a point beyond the far plane\n    if (position_map.z > 1e9)|' "$folder/shadow.frag"
+    grades --trusted $search --lab 03 --seed 1 "$folder"
+    expect "code below a TODO $search" 1 "=> task 3.8 has no effect yet; the fault is in \`visibility\` (shadow.frag)"
+    [[ $out != *"not done"* ]] && ok || bad "what is written is not called not done $search" "$out"
+    sed -i '/    if (position_map.z > 1e9)/,+1d' "$folder/shadow.frag"
+    grades --trusted $search --lab 03 --seed 1 "$folder"
+    expect "nothing below a TODO $search" 1 "=> task 3.8 is next: it is not done"
+done
+# Where she took the other TODOs away, ours tells whose code it is; without it both are possible.
+folder=$(resolve lone 03)
+sed -i 's|    if (position_map.z > 1.0)|    // TODO(3.8): a point beyond the far plane\n    if (position_map.z > 1e9)|' "$folder/shadow.frag"
+grades --trusted --lab 03 --seed 1 "$folder"
+expect "a lone TODO" 1 "=> task 3.8 has no effect yet; the fault is in \`visibility\` (shadow.frag)"
+grades --trusted --no-swap --lab 03 --seed 1 "$folder"
+expect "a lone TODO without our solution" 1 "3.8 has no effect yet"
+
 # In the jail the same is found; without the search the tasks are told; nothing that ours print comes out.
 folder=$(resolve jail 07)
 sed -i 's/    glEnable(GL_STENCIL_TEST);//' "$folder/lab.c"

@@ -1,0 +1,90 @@
+// What stands at a TODO: as it was handed out, written below or above it, or nobody knows whose.
+#include "diagnose/task_text.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+static const char skeleton[] = "float f(float x) {\n"
+                               "    float y = x;\n"
+                               "    // TODO(1.1): double y.\n"
+                               "    // Twice.\n"
+                               "    // TODO(1.2): nothing below 0.\n"
+                               "    return y;\n"
+                               "}\n"
+                               "void g() {\n"
+                               "    // TODO(1.1), second part: call f.\n"
+                               "}\n";
+
+static void expect(const char *text, int number, const char *mark, TaskText wanted) {
+    const char *at = strstr(text, mark);
+    for (int i = 1; i < number && at; i++)
+        at = strstr(at + 1, mark);
+    assert_non_null(at);
+    assert_int_equal(task_text_compare(text, at, mark, skeleton), wanted);
+}
+
+static void test_untouched(void **unused) {
+    (void)unused;
+    expect(skeleton, 1, "TODO(1.1)", TASK_TEXT_HANDED_OUT);
+    expect(skeleton, 2, "TODO(1.1)", TASK_TEXT_HANDED_OUT);
+    expect(skeleton, 1, "TODO(1.2)", TASK_TEXT_HANDED_OUT);
+    expect("float f(float x) { float y = x; // TODO(1.1)\n\n/* a note */ // TODO(1.2)\n return y; }", 1,
+           "TODO(1.2)", TASK_TEXT_HANDED_OUT);
+}
+
+static void test_below(void **unused) {
+    (void)unused;
+    static const char text[] =
+        "float f(float x) {\n float y = x;\n // TODO(1.1)\n y = y + 0.0;\n // TODO(1.2)\n"
+        " return y;\n}\nvoid g() {\n // TODO(1.1), second part\n f(1.0);\n}\n";
+    expect(text, 1, "TODO(1.1)", TASK_TEXT_WRITTEN);
+    expect(text, 2, "TODO(1.1)", TASK_TEXT_WRITTEN);
+    expect(text, 1, "TODO(1.2)", TASK_TEXT_HANDED_OUT);
+}
+
+static void test_above(void **unused) {
+    (void)unused;
+    static const char text[] = "float f(float x) {\n float y = x;\n y = 2.0 * y;\n // TODO(1.1)\n"
+                               " if (y < 0.0) y = 0.0;\n // TODO(1.2)\n return y;\n}\n"
+                               "void g() {\n f(1.0);\n // TODO(1.1)\n}\n";
+    expect(text, 1, "TODO(1.1)", TASK_TEXT_WRITTEN);
+    expect(text, 2, "TODO(1.1)", TASK_TEXT_WRITTEN);
+    expect(text, 1, "TODO(1.2)", TASK_TEXT_WRITTEN);
+}
+
+// The other TODO is gone: its code stands where that of this task would.
+static void test_unknown(void **unused) {
+    (void)unused;
+    expect("float f(float x) {\n float y = x;\n // TODO(1.1)\n if (y < 0.0) y = 0.0;\n return y;\n}\n", 1,
+           "TODO(1.1)", TASK_TEXT_UNKNOWN);
+    expect("float other(float x) {\n // TODO(1.1)\n return x;\n}\n", 1, "TODO(1.1)", TASK_TEXT_UNKNOWN);
+}
+
+// The other TODO is gone, but what stood below this one is, too.
+static void test_replaced(void **unused) {
+    (void)unused;
+    expect("float f(float x) {\n float y = x;\n // TODO(1.2)\n return max(y, 0.0);\n}\n", 1, "TODO(1.2)",
+           TASK_TEXT_WRITTEN);
+}
+
+static void test_put_before(void **unused) {
+    (void)unused;
+    static const char without[] = "float f() {\n // TODO(1.1)\n return y;\n}\n";
+    static const char text[] = "float f() {\n // TODO(1.1)\n y = y + 0.0;\n return y;\n}\n";
+    static const char other[] = "float f() {\n // TODO(1.1)\n return y + y;\n}\n";
+    assert_true(task_text_put_before(text, strstr(text, "TODO"), "TODO(1.1)", without));
+    assert_false(task_text_put_before(without, strstr(without, "TODO"), "TODO(1.1)", without));
+    assert_false(task_text_put_before(other, strstr(other, "TODO"), "TODO(1.1)", without));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_untouched), cmocka_unit_test(test_below),
+                                       cmocka_unit_test(test_above),     cmocka_unit_test(test_unknown),
+                                       cmocka_unit_test(test_replaced),  cmocka_unit_test(test_put_before)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
