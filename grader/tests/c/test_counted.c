@@ -202,26 +202,31 @@ static void test_methods(void **unused) {
         image_destroy(*i);
 }
 
+// By the solution of another lab.
+static void draw_other(const char *id, const Request *request, Image *image, Reply *reply) {
+    char place[FILES_PATH];
+    Rubric other;
+    WorkerClient client = {.trust = TRUST_OURS, .quick_shaders = true};
+    assert_true(places_find_lab(place, id) && rubric_load(&other, place));
+    assert_true(lab_folder_ours(client.folder, &other, (Solved){SOLVED_ALL, NULL}, NULL));
+    if (worker_client_draw(&client, request, image, reply) != DRAW_OK)
+        fail_msg("lab %s, counted %d: %s", id, request->counted, reply->message);
+    worker_client_stop(&client);
+    rubric_destroy(&other);
+}
+
 // Every lab of ours can be counted, and counting changes no pixel but where an offset is rounded otherwise.
 static void compare(const char *id, void *unused) {
     (void)unused;
     static Reply reply;
     static Request request;
-    char place[FILES_PATH];
-    Rubric other;
     Image images[2] = {{0}};
     Scene scene = wall();
     closed_add(&scene, SHAPE_BOX, vec3_make(0.5F, 0.1F, 0.6F), vec3_make(0.3F, 0.3F, 0.3F), 20);
-    assert_true(places_find_lab(place, id) && rubric_load(&other, place));
     for (int counted = 0; counted < 2; counted++) {
-        WorkerClient client = {.trust = TRUST_OURS, .quick_shaders = true};
-        assert_true(lab_folder_ours(client.folder, &other, (Solved){SOLVED_ALL, NULL}, NULL));
         request = request_of(&scene, "visibility", counted);
         request.knob_count = 0;
-        const DrawResult drawn = worker_client_draw(&client, &request, &images[counted], &reply);
-        worker_client_stop(&client);
-        if (drawn != DRAW_OK)
-            fail_msg("lab %s, counted %d: %s", id, counted, reply.message);
+        draw_other(id, &request, &images[counted], &reply);
     }
     long differ = 0;
     for (size_t at = 0; at < image_bytes(&images[0]); at++)
@@ -231,7 +236,6 @@ static void compare(const char *id, void *unused) {
     assert_true(reply.counts.fragments >= WIDTH * HEIGHT && differ <= 8);
     image_destroy(&images[0]);
     image_destroy(&images[1]);
-    rubric_destroy(&other);
 }
 
 static void test_all_labs(void **unused) {
@@ -244,22 +248,15 @@ static void test_layers(void **unused) {
     (void)unused;
     enum { LAMPS = 3, SIDE = 128 };
     static Reply reply;
-    char place[FILES_PATH];
-    Rubric other;
     Image image = {0};
     const Scene scene = wall();
-    WorkerClient client = {.trust = TRUST_OURS, .quick_shaders = true};
-    assert_true(places_find_lab(place, "11") && rubric_load(&other, place));
-    assert_true(lab_folder_ours(client.folder, &other, (Solved){SOLVED_ALL, NULL}, NULL));
     Request request = request_of(&scene, "visibility", COUNTED_READS);
     request.knobs[0].value = SIDE;
     request.knobs[1] = (KnobSetting){"lamps", LAMPS};
     request.knob_count = 2;
-    assert_int_equal(worker_client_draw(&client, &request, &image, &reply), DRAW_OK);
-    worker_client_stop(&client);
+    draw_other("11", &request, &image, &reply);
     assert_true(reply.counts.texels == LAMPS * LAMPS * SIDE * SIDE);
     image_destroy(&image);
-    rubric_destroy(&other);
 }
 
 // Texels that come from the processor, and what is copied, are told.
