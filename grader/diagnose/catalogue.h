@@ -14,6 +14,7 @@ typedef enum NamedLooks {
 
 typedef struct Named {
     int first, second; // numbers in rubric->mistakes; second draws nearly the same; -1: none
+    bool many;         // a third one draws nearly the same, and their tasks are not all the same
     NamedLooks looks;
 } Named;
 

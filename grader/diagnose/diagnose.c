@@ -249,6 +249,8 @@ static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch
         return find_by_swap(this, student) && find_mistake(this, NULL);
     if (!find_by_reset(this, student, &found) || !find_mistake(this, &found))
         return false;
+    if (this->named.many) // each of them is as likely, and nobody has compared the words
+        this->named = (Named){.first = -1, .second = -1};
     if (!found.both)
         narrow_to_named(this);
     reset_note(&this->result->fault, &found, &this->suspects, this->exam->parts);

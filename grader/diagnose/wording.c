@@ -142,6 +142,9 @@ void wording_summary(LabResult *result, const char *mistake, const Suspects *sus
     if (result->fault.count > 0) {
         check_append(text, size, ": ");
         add_proof(text, size, &result->fault);
+    } else if (mistake && suspects->count > 0) {
+        check_append(text, size, ", ");
+        add_tasks(text, size, suspects, rubric);
     } else if (suspects->count > 0)
         check_append(text, size,
                      suspects->certain ? ": just the failed checks need %s" : ": the failed checks need %s",
