@@ -113,6 +113,8 @@ void wording_names(char *text, size_t size, const Named *named, const Rubric *ru
         check_append(text, size, ", or something else there that leaves the picture in one colour");
     else if (named->looks == NAMED_NO_EDGES)
         check_append(text, size, ", or something else there that leaves all of it lit, or all dark");
+    else if (named->looks == NAMED_NO_EFFECT)
+        check_append(text, size, ", or something else there that takes the effect away");
 }
 
 const char *wording_open(bool unsure) {
