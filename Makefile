@@ -116,6 +116,9 @@ study: build $(if $(HAS_STUDY),$(BUILD)/chart) ## chart speed against error: mak
 	$(if $(HAS_STUDY),$(BUILD)/chart $(LAB_OPTION) $(if $(filter-out file,$(origin SUBMISSION)),--submission $(SUBMISSION)) \
 		$(ARGS),@$(SCRIPTS)/study_page $(BUILD) '$(LAB)' $(SUBMISSION))
 
+compete: build ## rank methods by what they cost, without times: make compete LAB=14 [SUBMISSION=labs | CLASS=DIR] [SEED=N]
+	@SEED='$(SEED)' CLASS='$(CLASS)' ARGS='$(ARGS)' $(SCRIPTS)/compete $(BUILD) '$(LAB)' $(SUBMISSION)
+
 chart: build $(BUILD)/chart ### measure the study again and put its chart and its findings into README.md
 	@$(SCRIPTS)/publish_chart $(BUILD) $(ARGS)
 
@@ -125,8 +128,8 @@ compile_commands.json: ### for editors and clang-tidy (needs bear)
 kit: build ### pack the kit for students, without solutions: build/shadow-lab-kit.tar.gz [LAB=03: can grade only that]
 	@$(SCRIPTS)/make_kit $(BUILD) $(LAB_OPERAND)
 
-gradescope: ### pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]
-	@$(SCRIPTS)/make_gradescope $(BUILD) $(LAB_OPERAND)
+gradescope: ### pack the autograder for Gradescope: build/shadow-lab-gradescope.zip [LAB=03]; with SEED=N (LAB=14) its leaderboard, too
+	@CONTEST='$(SEED)' $(SCRIPTS)/make_gradescope $(BUILD) $(LAB_OPERAND)
 
 clean: ## remove what was built
 	rm -rf $(BUILD)

@@ -20,6 +20,8 @@ static unsigned long first_error_place;
 static GLuint last_framebuffer; // the last one bound that is not 0
 
 typedef void(GLAD_API_PTR *BindMany)(GLuint first, GLsizei count, const GLuint *names);
+static void(GLAD_API_PTR *memory_barrier)(GLbitfield barriers); // of OpenGL 4.2; NULL: the driver is older
+static GlWatch watching;
 static BindMany bind_textures, bind_samplers; // of OpenGL 4.4; NULL: the driver is older
 
 static const char *error_name(GLenum error) {
@@ -71,9 +73,14 @@ unsigned long gl_caller(void *const *frames, int count) {
 }
 
 static void before_call(const char *name, GLADapiproc function, int count, ...) {
-    (void)count;
+    va_list arguments;
     if (!function)
         check_fail("%s is not in this OpenGL", name);
+    if (!watching)
+        return;
+    va_start(arguments, count);
+    watching(name, count, arguments);
+    va_end(arguments);
 }
 
 static bool begins_with(const char *name, const char *start) {
@@ -156,6 +163,8 @@ bool gl_load(GLADloadfunc load) {
     const bool has_many = version >= GLAD_MAKE_VERSION(4, 4);
     bind_textures = has_many ? (BindMany)load("glBindTextures") : NULL;
     bind_samplers = has_many ? (BindMany)load("glBindSamplers") : NULL;
+    memory_barrier =
+        version >= GLAD_MAKE_VERSION(4, 2) ? (void(GLAD_API_PTR *)(GLbitfield))load("glMemoryBarrier") : NULL;
     gl_subroutines_guard();
     gladSetGLPreCallback(before_call);
     gladSetGLPostCallback(after_call);
@@ -179,6 +188,17 @@ void gl_clear_error(void) {
     first_error_place = 0;
     first_error[0] = '\0';
     refused = false;
+}
+
+void gl_watch(GlWatch watch) {
+    watching = watch;
+}
+
+bool gl_finish_writes(void) {
+    static const GLbitfield ALL = 0xFFFFFFFF;
+    if (memory_barrier)
+        memory_barrier(ALL);
+    return memory_barrier != NULL;
 }
 
 bool gl_unbind_textures(GLuint units) {

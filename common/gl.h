@@ -3,6 +3,7 @@
 
 #include <glad/gl.h>
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -26,6 +27,15 @@ unsigned long gl_caller(void *const *frames, int count);
 // Checks that the framebuffer bound to GL_FRAMEBUFFER is complete, or where it was unbound already (0), the
 // last one that was bound. The message names `what` and the reason.
 bool gl_check_framebuffer(const char *what);
+
+// Who watches is told of each call before it is done: its name, how many arguments it has, and these. NULL:
+// nobody.
+typedef void (*GlWatch)(const char *name, int count, va_list arguments);
+void gl_watch(GlWatch watch);
+
+// Waits until what shaders have written into buffers can be read. False: this OpenGL, older than 4.2, has no
+// shaders that write.
+bool gl_finish_writes(void);
 
 // Unbinds all textures and samplers of the first `units` units, by two calls of OpenGL 4.4. False: the driver
 // has not got them.

@@ -33,7 +33,7 @@ ARCHIVE := $(BUILD)/rooms.a
 LINK = $(CC) $(SANITIZE) -o $@ $(1) -Wl,--as-needed $(ARCHIVE) $(LIBS)
 
 PROGRAM_SOURCES := $(wildcard grader/programs/*.c)
-MISSING := $(if $(EMBREE),,bench_truth truth_worker stability chart sweep record_study) $(if $(GLFW),,view)
+MISSING := $(if $(EMBREE),,bench_truth truth_worker stability chart sweep record_study record_arena) $(if $(GLFW),,view)
 PROGRAMS := $(addprefix $(BUILD)/,$(filter-out $(MISSING),$(basename $(notdir $(PROGRAM_SOURCES)))))
 # The jail's own programs stand alone. The shim is static where the system has the archives, so that a process inside begins sooner.
 INSIDE := $(patsubst %,$(BUILD)/jail_%,shim probe unpack)

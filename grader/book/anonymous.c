@@ -100,7 +100,7 @@ bool anonymous_write(const Book *book, const char *output, const char *file, boo
     files_remove(folder); // pages of an earlier run
     const bool ok = files_make_folder(pages) && write_pages(&hidden, names, output, folder, no_points) &&
                     write_grades(&hidden, names, folder) && write_index(&hidden, names, folder);
-    pseudonyms_free(names, book);
+    pseudonyms_free(names);
     free(hidden.rows);
     return ok;
 }

@@ -73,12 +73,12 @@ static void keep(const Pseudonyms *all, const char *key, const char *name) {
     fputc('\n', all->out);
 }
 
-static bool name_rows(Pseudonyms *all, const Book *book) {
+static bool name_all(Pseudonyms *all, const char *const *keys, int count) {
     char drawn[NAME + 1];
-    for (int r = 0; r < book->count; r++) {
-        const char *key = key_of(book, &book->rows[r]), *name = known_name(all, key);
+    for (int r = 0; r < count; r++) {
+        const char *key = keys[r], *name = known_name(all, key);
         for (int s = 0; !name && s < r; s++) // another hand-in of the same student
-            if (strcmp(key_of(book, &book->rows[s]), key) == 0)
+            if (strcmp(keys[s], key) == 0)
                 name = all->names[s];
         if (!name) {
             if (!draw(all, drawn))
@@ -97,8 +97,8 @@ static bool write_file(const char *file, const char *text) {
            (chmod(file, 0600) == 0 || check_fail("%s cannot be kept from others: %s", file, strerror(errno)));
 }
 
-bool pseudonyms_make(char ***names, const Book *book, const char *file) {
-    Pseudonyms all = {.names = calloc((size_t)book->count + 1, sizeof *all.names)};
+bool pseudonyms_of(char ***names, const char *const *keys, int count, const char *file) {
+    Pseudonyms all = {.names = calloc((size_t)count + 1, sizeof *all.names)};
     char *text = NULL;
     size_t size;
     all.out = open_memstream(&text, &size);
@@ -107,21 +107,31 @@ bool pseudonyms_make(char ***names, const Book *book, const char *file) {
     fputs("student,pseudonym\n", all.out);
     for (int i = 0; ok && i < all.known.count; i++)
         keep(&all, csv_cell(&all.known, i, all.student), csv_cell(&all.known, i, all.pseudonym));
-    ok = ok && name_rows(&all, book);
+    ok = ok && name_all(&all, keys, count);
     fclose(all.out);
     ok = ok && write_file(file, text);
     free(text);
     csv_destroy(&all.known);
     *names = all.names;
     if (!ok) {
-        pseudonyms_free(all.names, book);
+        pseudonyms_free(all.names);
         *names = NULL;
     }
     return ok;
 }
 
-void pseudonyms_free(char **names, const Book *book) {
-    for (int r = 0; names && r < book->count; r++)
-        free(names[r]);
+bool pseudonyms_make(char ***names, const Book *book, const char *file) {
+    const char **keys = calloc((size_t)book->count + 1, sizeof *keys);
+    INVARIANT(keys);
+    for (int r = 0; r < book->count; r++)
+        keys[r] = key_of(book, &book->rows[r]);
+    const bool ok = pseudonyms_of(names, keys, book->count, file);
+    free(keys);
+    return ok;
+}
+
+void pseudonyms_free(char **names) {
+    for (char **name = names; name && *name; name++)
+        free(*name);
     free(names);
 }

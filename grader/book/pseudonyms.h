@@ -8,4 +8,7 @@
 // the file (a CSV of students and pseudonyms; it need not be there yet) stay, and new ones are added to it;
 // only its owner may read it. False with a message.
 bool pseudonyms_make(char ***names, const Book *book, const char *file);
-void pseudonyms_free(char **names, const Book *book); // accepts NULL
+
+// The same of any students, known by these texts: of equal ones the names are equal.
+bool pseudonyms_of(char ***names, const char *const *keys, int count, const char *file);
+void pseudonyms_free(char **names); // accepts NULL

@@ -176,6 +176,7 @@ static void clean_reply(Reply *reply) {
     clean_times(reply->milliseconds);
     clean_times(reply->gpu_milliseconds);
     reply->facts.refused = reply->facts.refused != 0;
+    description_clean_counts(&reply->counts);
 }
 
 static void note_crash(WorkerClient *client, const Request *request) {

@@ -1,29 +1,27 @@
 // Reads study.json and the files of its scenes, which record_study has written.
 #include "points/recorded_study.h"
 
-#include "base/files.h"
+#include "points/recorded_scene.h"
 #include "scene/check.h"
 
 #include <stdio.h>
 #include <string.h>
 
-void recorded_study_place(char path[FILES_PATH], const char *folder, const char *scene, const char *end) {
-    char name[STUDY_NAME + 32];
-    snprintf(name, sizeof name, "study-%s.%s", scene, end);
-    files_join(path, folder, name);
+void recorded_study_name(char name[STUDY_FILE], const char *scene) {
+    snprintf(name, STUDY_FILE, "study-%.*s", STUDY_NAME, scene);
 }
 
 void recorded_study_index(char path[FILES_PATH], const char *folder) {
     files_join(path, folder, "study.json");
 }
 
-static bool take_knobs(RecordedPoint *point, json_t *knobs) {
+bool recorded_study_knobs(KnobSetting knobs[LAB_MAX_KNOBS], int *count, json_t *object) {
     const char *name;
     json_t *value;
-    json_object_foreach(knobs, name, value) {
-        if (point->knob_count == LAB_MAX_KNOBS || !json_is_number(value))
+    json_object_foreach(object, name, value) {
+        if (*count == LAB_MAX_KNOBS || !json_is_number(value))
             return false;
-        KnobSetting *knob = &point->knobs[point->knob_count++];
+        KnobSetting *knob = &knobs[(*count)++];
         snprintf(knob->name, sizeof knob->name, "%s", name);
         knob->value = (float)json_number_value(value);
     }
@@ -35,7 +33,7 @@ static bool take_point(RecordedPoint *point, json_t *entry) {
     return json_unpack(entry, "{s:s, s:s, s:s, s:o, s?o, s:F, s:F}", "family", &point->family, "name",
                        &point->name, "view", &point->view, "knobs", &knobs, "edit", &edit, "error",
                        &point->error, "ms", &point->milliseconds) == 0 &&
-           take_knobs(point, knobs) &&
+           recorded_study_knobs(point->knobs, &point->knob_count, knobs) &&
            (!edit || json_unpack(edit, "{s:s, s:s, s:s}", "file", &point->edit.file, "find",
                                  &point->edit.find, "replace", &point->edit.replace) == 0);
 }
@@ -87,24 +85,8 @@ void recorded_study_destroy(RecordedStudy *study) {
     memset(study, 0, sizeof *study);
 }
 
-static bool read_scene(Scene *scene, const char *path) {
-    FILE *file = fopen(path, "rb");
-    const bool ok = file && fread(scene, sizeof *scene, 1, file) == 1 && fgetc(file) == EOF &&
-                    scene->object_count >= 0 && scene->object_count <= SCENE_MAX_OBJECTS &&
-                    scene->light_count >= 0 && scene->light_count <= SCENE_MAX_LIGHTS;
-    if (file)
-        fclose(file);
-    return ok || check_fail("%s is no scene of this version: unpack the kit again", path);
-}
-
 bool recorded_study_scene(const RecordedStudy *study, int i, Scene *scene, Image *truth) {
-    char path[FILES_PATH];
-    recorded_study_place(path, study->folder, study->scenes[i].name, "scene");
-    if (!read_scene(scene, path) || !scene_check(scene))
-        return false;
-    recorded_study_place(path, study->folder, study->scenes[i].name, "png");
-    image_destroy(truth);
-    return image_read_png(truth, path) &&
-           ((truth->width == study->width && truth->height == study->height) ||
-            check_fail("%s has another size than study.json says: unpack the kit again", path));
+    char name[STUDY_FILE];
+    recorded_study_name(name, study->scenes[i].name);
+    return recorded_scene_read(study->folder, name, scene, study->width, study->height, truth);
 }

@@ -35,10 +35,14 @@ typedef struct RecordedStudy {
     json_t *json; // where the strings live
 } RecordedStudy;
 
-// Where a scene's file lies in a lab's folder of records: `end` is "scene" or "png". And where study.json
-// does.
-void recorded_study_place(char path[FILES_PATH], const char *folder, const char *scene, const char *end);
+enum { STUDY_FILE = STUDY_NAME + 8 };
+
+// The name of a scene's files in a lab's folder of records (recorded_scene.h), and where study.json lies.
+void recorded_study_name(char name[STUDY_FILE], const char *scene);
 void recorded_study_index(char path[FILES_PATH], const char *folder);
+
+// Adds knobs from an object of names and values. False: these are no knobs, or too many.
+bool recorded_study_knobs(KnobSetting knobs[LAB_MAX_KNOBS], int *count, json_t *object);
 
 // Reads the study of the rubric's lab. False with a message, also when none was recorded.
 bool recorded_study_load(RecordedStudy *study, const Rubric *rubric);

@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_SCENES = 16, MOST_FRAMES = 1000, MOST_SIDE = PROTOCOL_MAX_SIZE };
+enum { MOST_SCENES = 64, MOST_FRAMES = 1000, MOST_SIDE = PROTOCOL_MAX_SIZE };
 
 typedef struct ChartCommand {
     const char *scenes[MOST_SCENES], *submission, *output;
@@ -39,7 +39,7 @@ static const StudyScene *find_scene(const char *name) {
 static bool take_scene(void *target, const char *name) {
     ChartCommand *command = target;
     if (!find_scene(name)) {
-        char names[256] = "";
+        char names[1024] = "";
         for (int i = 0; study_scene(i); i++)
             check_append(names, sizeof names, " %s", study_scene(i)->name);
         return check_fail("takes a scene of the study: there is no scene \"%s\"; there are%s", name, names);
@@ -85,7 +85,8 @@ static const Option options[] = {
      option_text},
     {"without", 0, "N", "object N is left out of all scenes: does a verdict change?", AT(without),
      take_without},
-    {"list", 0, NULL, "print the scenes' names and how many objects each has", AT(list), option_flag},
+    {"list", 0, NULL, "print of each scene its name, how many objects it has, and its chart's title",
+     AT(list), option_flag},
     {"compare", 0, NULL, "compare two tables that build/chart has written", AT(compare), option_flag},
     {0}};
 #undef AT
@@ -242,7 +243,7 @@ static int list(void) {
     for (int i = 0; study_scene(i); i++) {
         Scene scene;
         study_scene(i)->make(&scene);
-        printf("%s\t%d\n", study_scene(i)->name, scene.object_count);
+        printf("%s\t%d\t%s\n", study_scene(i)->name, scene.object_count, study_scene(i)->title);
     }
     return 0;
 }

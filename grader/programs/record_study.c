@@ -5,13 +5,14 @@
 #include "base/places.h"
 #include "base/statistics.h"
 #include "exam/exam.h"
+#include "points/recorded_scene.h"
 #include "points/recorded_study.h"
 #include "scene/check.h"
+#include "study/setting_json.h"
 #include "study/study_scene.h"
 #include "study/views.h"
 
 #include <jansson.h>
-#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -55,38 +56,16 @@ static bool time_frames(Recorder *recorder, const Painter *painter, const Settin
     return ok;
 }
 
-static bool write_truth(const Recorder *recorder, const uint8_t *mask) {
-    char path[FILES_PATH];
-    Image truth;
-    if (!image_create(&truth, WIDTH, HEIGHT))
-        return false;
-    for (size_t i = 0; i < (size_t)WIDTH * HEIGHT; i++) {
-        const long light = lrintf(65535 * fminf(fmaxf(recorder->view.truth_view.visibility[i], 0), 1));
-        truth.rgba[4 * i] = (uint8_t)(light >> 8);
-        truth.rgba[4 * i + 1] = (uint8_t)(light & 255);
-        truth.rgba[4 * i + 2] = mask[i] ? 255 : 0;
-    }
-    recorded_study_place(path, recorder->folder, recorder->scene->name, "png");
-    const bool ok = image_write_png(&truth, path);
-    image_destroy(&truth);
-    return ok;
-}
-
-static bool write_scene(const Recorder *recorder) {
-    char path[FILES_PATH];
-    recorded_study_place(path, recorder->folder, recorder->scene->name, "scene");
-    FILE *file = fopen(path, "wb");
-    const Scene *scene = &recorder->view.truth_view.truth.scene;
-    bool ok = file && fwrite(scene, sizeof *scene, 1, file) == 1;
-    ok = file && fclose(file) == 0 && ok;
-    return ok || check_fail("%s cannot be written", path);
+static bool write_scene(const Recorder *recorder, const uint8_t *mask) {
+    char name[STUDY_FILE];
+    const TruthView *seen = &recorder->view.truth_view;
+    recorded_study_name(name, recorder->scene->name);
+    return recorded_scene_write(recorder->folder, name, &seen->truth.scene, WIDTH, HEIGHT, seen->visibility,
+                                mask);
 }
 
 static json_t *pack_point(const Method *method, double error, double milliseconds) {
-    json_t *knobs = json_object();
-    for (int i = 0; i < method->setting.knob_count; i++)
-        json_object_set_new(knobs, method->setting.knobs[i].name,
-                            json_real((double)method->setting.knobs[i].value));
+    json_t *knobs = setting_json(&method->setting);
     json_t *point =
         json_pack("{s:s, s:s, s:s, s:o, s:f, s:f}", "family", method->family, "name", method->name, "view",
                   method->setting.view, "knobs", knobs, "error", error, "ms", milliseconds);
@@ -106,7 +85,7 @@ static bool record_method(Recorder *recorder, const Method *method, json_t *poin
         truth_view_measure(&recorder->view.truth_view, &recorder->artist, &method->setting, true, &frame) &&
         time_frames(recorder, recorder->artist.painter, &method->setting, &milliseconds);
     if (ok && !recorder->has_truth)
-        ok = recorder->has_truth = write_truth(recorder, frame.mask) && write_scene(recorder);
+        ok = recorder->has_truth = write_scene(recorder, frame.mask);
     if (ok)
         json_array_append_new(points, pack_point(method, frame.metrics.all.mae, milliseconds));
     measured_destroy(&frame);

@@ -63,3 +63,14 @@ bool description_fits(const Description *description, const Request *request) {
             return false;
     return true;
 }
+
+static double clean_count(double number) {
+    return number >= 0 && number < 1e15 ? floor(number) : 0;
+}
+
+void description_clean_counts(FrameCounts *counts) {
+    counts->taps = clean_count(counts->taps);
+    counts->fragments = clean_count(counts->fragments);
+    counts->texels = clean_count(counts->texels);
+    description_clean_text(counts->uncounted, sizeof counts->uncounted);
+}

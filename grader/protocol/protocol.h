@@ -40,6 +40,7 @@ typedef struct Request {
     int32_t
         fresh; // 1: the lab makes its resources again, so that the frame does not depend on those before it
     int32_t gpu_times; // 1: the reply tells the GPU's times, too, by timer queries
+    int32_t counted;   // COUNTED_...: what the frame costs is counted; the same in all requests to one worker
     int32_t own_shape; // 1: a stage keeps the shape of its texture, in the middle of the picture, for people
                        // to look at; 0: it fills the picture
     int32_t describe;  // 1: a Description instead of a frame; what follows but `folder` does not matter
@@ -49,6 +50,19 @@ typedef struct Request {
     int32_t knob_count; // knobs not named keep their defaults
     Scene scene;
 } Request;
+
+enum {
+    COUNTED_NOT,
+    COUNTED_READS,
+    COUNTED_BLIND // all reads of textures give 1: what is drawn then does not come from a map
+};
+
+// What a frame costs on any machine, from create to the last pass.
+typedef struct FrameCounts {
+    int32_t counted;                // as it was asked for
+    double taps, fragments, texels; // reads of textures; shaded fragments; texels that were cleared
+    char uncounted[64];             // what was done past the counters; "" for nothing
+} FrameCounts;
 
 // What a frame tells beside its pixels.
 typedef struct FrameFacts {
@@ -65,6 +79,7 @@ typedef struct Reply {
     float milliseconds[LAB_MAX_PASSES];     // CPU time of each pass
     float gpu_milliseconds[LAB_MAX_PASSES]; // the same of the GPU, where the request asked for it
     FrameFacts facts;
+    FrameCounts counts;          // where the request asked for them
     char message[PROTOCOL_TEXT]; // why it was not drawn, or the first GL error or check_fail of the frame
     char remarks[1000];          // of the frame, a line each, see remark.h
     char renderer[128];          // "GL_VERSION / GL_RENDERER (way to it)", as context_route tells it

@@ -1,5 +1,6 @@
 #include "study/study_scene.h"
 
+#include "scene/check.h"
 #include "truth/closed_scenes.h"
 
 #include <string.h>
@@ -22,6 +23,14 @@ const StudyScene *study_scene(int i) {
         for (const StudyScene *scene = study_tables[lab]->scenes; scene && scene->name; scene++)
             if (i-- == 0)
                 return scene;
+    return NULL;
+}
+
+const StudyContest *study_contest(const char *lab) {
+    for (int i = 0; study_tables[i]; i++)
+        if (study_tables[i]->contest.lab && strcmp(study_tables[i]->contest.lab, lab) == 0)
+            return &study_tables[i]->contest;
+    check_fail("lab %s has no contest: its study.c names no scene for one", lab);
     return NULL;
 }
 

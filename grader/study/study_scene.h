@@ -30,6 +30,12 @@ typedef struct StudyScene {
     bool moves;       // what changes from frame to frame is measured, too (motion.h)
 } StudyScene;
 
+// What a lab's methods compete in (compete/README.md).
+typedef struct StudyContest {
+    const char *lab, *scene;
+    double most_error; // 0..1: who errs more takes no part
+} StudyContest;
+
 // What a lab brings to the study: a solutions/NN-name/study.c defines one as LAB_TABLE.
 typedef struct LabStudy {
     const StudyScene *scenes; // its own; ends with one without a name; NULL: it has none
@@ -38,12 +44,16 @@ typedef struct LabStudy {
     // Makes fit again what must fit camera and lights in a scene of this name, after they were moved
     // (views.h); NULL: nothing must.
     void (*settle)(Scene *scene, const char *name);
+    StudyContest contest; // zeroed: it has none
 } LabStudy;
 
 extern const LabStudy *const study_tables[]; // of all labs, in their order, then NULL: made by build.mk
 
 // Scene number i, in the order of the labs; NULL after the last.
 const StudyScene *study_scene(int i);
+
+// The contest of lab "14"; NULL with a message when it has none.
+const StudyContest *study_contest(const char *lab);
 
 // Makes the list that of all labs' settings in this scene.
 void study_add_methods(MethodList *list, const StudyScene *scene);

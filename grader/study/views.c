@@ -48,15 +48,31 @@ static void move_light(Light *light, const Move *move) {
     light->target = glms_vec3_add(light->target, shift);
 }
 
+static void make_moved(const StudyScene *scene, const Move *move, Scene *made) {
+    scene->make(made);
+    move_camera(&made->camera, move);
+    for (int i = 0; i < made->light_count; i++)
+        move_light(&made->lights[i], move);
+    study_settle(made, scene);
+}
+
 void views_make(const StudyScene *scene, int view, Scene *made) {
     INVARIANT(view >= 0 && view < STUDY_VIEWS);
-    scene->make(made);
     if (view == 0)
-        return;
-    move_camera(&made->camera, &moves[view]);
-    for (int i = 0; i < made->light_count; i++)
-        move_light(&made->lights[i], &moves[view]);
-    study_settle(made, scene);
+        scene->make(made);
+    else
+        make_moved(scene, &moves[view], made);
+}
+
+void views_make_drawn(const StudyScene *scene, Random *random, Scene *made) {
+    Move move;
+    move.turn = random_range(random, -12, 12);
+    move.height = random_range(random, 0.85f, 1.15f);
+    move.distance = random_range(random, 0.9f, 1.1f);
+    move.light_turn = random_range(random, -8, 8);
+    move.light_shift.x = random_range(random, -0.0075f, 0.0075f);
+    move.light_shift.y = random_range(random, -0.0075f, 0.0075f);
+    make_moved(scene, &move, made);
 }
 
 // A truth's place, named after all that it was made from.
@@ -118,19 +134,24 @@ static bool trace(TruthView *truth_view, const StudyScene *scene, const char *fo
     return true;
 }
 
+bool view_create_of(StudyView *view, const StudyScene *scene, const Scene *made, MetricsSize size,
+                    const char *folder, LabArtist *artist) {
+    TruthQuery centers = scene->query;
+    *view = (StudyView){0};
+    if (centers.samples > 0 && truth_is_soft(made, &centers))
+        centers.samples = 1; // it is the whole pixels' truth that counts
+    return truth_view_create(&view->truth_view, made, size, &centers, artist) &&
+           trace(&view->truth_view, scene, folder) &&
+           flip_create_grey(&view->flip, size, view->truth_view.visibility) &&
+           (!scene->moves || artist->without || motion_create(&view->motion, scene, made, size, artist));
+}
+
 bool view_create(StudyView *view, const StudyScene *scene, int number, MetricsSize size, const char *folder,
                  LabArtist *artist) {
     Scene *made = calloc(1, sizeof *made);
-    TruthQuery centers = scene->query;
-    *view = (StudyView){0};
     INVARIANT(made);
     views_make(scene, number, made);
-    if (centers.samples > 0 && truth_is_soft(made, &centers))
-        centers.samples = 1; // it is the whole pixels' truth that counts
-    bool ok = truth_view_create(&view->truth_view, made, size, &centers, artist) &&
-              trace(&view->truth_view, scene, folder) &&
-              flip_create_grey(&view->flip, size, view->truth_view.visibility) &&
-              (!scene->moves || artist->without || motion_create(&view->motion, scene, made, size, artist));
+    const bool ok = view_create_of(view, scene, made, size, folder, artist);
     free(made);
     return ok;
 }

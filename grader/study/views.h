@@ -23,10 +23,16 @@ typedef struct StudyView {
 // light up to 8 degrees around its own.
 void views_make(const StudyScene *scene, int view, Scene *made);
 
+// The same with moves within these ranges that are drawn at random.
+void views_make_drawn(const StudyScene *scene, Random *random, Scene *made);
+
 // Traces the view's truth, or takes it from `folder` where it was left by the same view of the same scene;
 // `artist` draws the triangles. False with a message.
 bool view_create(StudyView *view, const StudyScene *scene, int number, MetricsSize size, const char *folder,
                  LabArtist *artist);
+// The same of a scene that views_make or views_make_drawn has made.
+bool view_create_of(StudyView *view, const StudyScene *scene, const Scene *made, MetricsSize size,
+                    const char *folder, LabArtist *artist);
 void view_destroy(StudyView *view); // accepts a zeroed view
 
 // How far a frame (its visibility is there; mask and metrics are filled) is from the view's truth. False with

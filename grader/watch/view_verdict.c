@@ -31,12 +31,17 @@ static bool begin(ViewVerdict *verdict, App *app) {
     return !verdict->off;
 }
 
+// Grading takes a processor that the first picture needs.
+static bool can_begin(const FeedNews *mine) {
+    return mine->pictures > 0 || mine->problem[0];
+}
+
 bool view_verdict_tick(ViewVerdict *verdict, App *app) {
     const uint64_t described = app->news[FEED_MINE].described;
     if (verdict->off || !app->state.text || !app->rubric.json)
         return false;
     if (!verdict->grading.busy)
-        return described != verdict->described && begin(verdict, app);
+        return described != verdict->described && can_begin(&app->news[FEED_MINE]) && begin(verdict, app);
     struct pollfd news = {.fd = verdict->grading.verdicts, .events = POLLIN};
     if (poll(&news, 1, 0) <= 0 || !grading_process_take(&verdict->grading))
         return false;

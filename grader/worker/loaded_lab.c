@@ -4,6 +4,8 @@
 
 #include "base/limits.h"
 #include "remark.h"
+#include "worker/counted.h"
+#include "worker/lab_table.h"
 #include "worker/primitives_view.h"
 #include "worker/quantise.h"
 #include "worker/ready_program.h"
@@ -55,7 +57,7 @@ static bool load_lab(LoadedLab *hosted) {
 static bool load_programs(LoadedLab *hosted) {
     INVARIANT(hosted->lab);
     for (int i = 0; i < LAB_MAX_PROGRAMS && hosted->lab->programs[i].vertex; i++) {
-        if (!ready_program_take(&hosted->programs[i], &hosted->lab->programs[i]) &&
+        if ((counted_is_on() || !ready_program_take(&hosted->programs[i], &hosted->lab->programs[i])) &&
             !program_create(&hosted->programs[i], &hosted->lab->programs[i]))
             return false;
         hosted->program_count++;
@@ -143,7 +145,9 @@ static bool ensure_created(LoadedLab *hosted, const Request *request, Frame *fra
     hosted->created = true;
     set_running("create");
     gl_reset(); // so that what a lab forgets to bind is not our picture
+    counted_lab(true);
     const bool created = hosted->lab->create(frame);
+    counted_lab(false);
     set_running(NOTHING);
     return created || check_fail("create returned false");
 }
@@ -176,12 +180,15 @@ static float run_pass(const Pass *pass, const Frame *frame, GLuint timer) {
     if (timer)
         glBeginQuery(GL_TIME_ELAPSED, timer);
     remark_passes(true);
+    counted_lab(true);
     if (is_seen(pass, frame->view))
         pass->draw(frame);
+    counted_lab(false);
     remark_passes(false);
     if (timer)
         glEndQuery(GL_TIME_ELAPSED);
     glFinish();
+    counted_collect();
     return cpu_milliseconds() - start;
 }
 
@@ -250,6 +257,7 @@ bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *re
                    .height = request->height,
                    .flat_light = strcmp(request->view, VIEW_VISIBILITY) == 0,
                    .view = request->view};
+    counted_begin();
     if (!ensure_created(hosted, request, &frame))
         return false;
     run_passes(hosted->lab, &frame, request->gpu_times, reply);
@@ -258,30 +266,11 @@ bool loaded_lab_draw(LoadedLab *hosted, const StageView *view, const Request *re
     return show_view(hosted, view, request, &frame, &reply->facts, pixels);
 }
 
-static void describe_knob(struct KnobText *text, const Knob *knob) {
-    snprintf(text->name, sizeof text->name, "%s", knob->name);
-    snprintf(text->unit, sizeof text->unit, "%s", knob->unit ? knob->unit : "");
-    text->low = knob->low;
-    text->high = knob->high;
-    text->value = knob->value;
-    for (int i = 0; i < LAB_MAX_CHOICES && knob->choices[i]; i++)
-        snprintf(text->choices[text->choice_count++], LAB_MAX_NAME, "%s", knob->choices[i]);
-}
-
 bool loaded_lab_describe(const LoadedLab *hosted, Description *description) {
-    const Lab *lab = hosted->lab;
     memset(description, 0, sizeof *description);
-    if (!lab)
+    if (!hosted->lab)
         return check_fail("%s", hosted->failure);
-    snprintf(description->title, sizeof description->title, "%s", lab->title ? lab->title : "");
-    for (int i = 0; i < LAB_MAX_KNOBS && lab->knobs[i].name; i++)
-        describe_knob(&description->knobs[description->knob_count++], &lab->knobs[i]);
-    for (int i = 0; i < LAB_MAX_PASSES && lab->passes[i].name; i++) {
-        description->pass_kinds[i] = (int32_t)lab->passes[i].kind;
-        snprintf(description->passes[description->pass_count++], LAB_MAX_NAME, "%s", lab->passes[i].name);
-    }
-    for (int i = 0; i < LAB_MAX_STAGES && lab->stages[i].name; i++)
-        snprintf(description->stages[description->stage_count++], LAB_MAX_NAME, "%s", lab->stages[i].name);
+    lab_table_describe(hosted->lab, description);
     return true;
 }
 

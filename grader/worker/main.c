@@ -6,6 +6,7 @@
 // is a nursery (nursery.h), and more arguments are paths that its children see.
 #include "worker/renderdoc.h"
 #include "context.h"
+#include "worker/counted.h"
 #include "worker/loaded_lab.h"
 #include "worker/no_programs.h"
 #include "worker/warm_up.h"
@@ -69,11 +70,16 @@ static void fill_reply(Reply *reply, bool drawn) {
 static bool perform(const Request *request, Reply *reply, void *payload) {
     bool named = strcmp(worker.lab_folder, "-") == 0;
     check_clear();
+    if (request->counted && !counted_is_on() && !counted_start(request->counted))
+        return false;
     LoadedLab *hosted = loaded_lab_find(named ? request->folder : worker.lab_folder, worker.shader_folder);
     if (!hosted)
         return check_fail("too many labs in one worker");
-    return request->describe ? loaded_lab_describe(hosted, payload)
-                             : loaded_lab_draw(hosted, &worker.stage_view, request, reply, payload);
+    if (request->describe)
+        return loaded_lab_describe(hosted, payload);
+    const bool drawn = loaded_lab_draw(hosted, &worker.stage_view, request, reply, payload);
+    reply->counts = counted_end();
+    return drawn;
 }
 
 static bool answer(const Request *request) {

@@ -102,25 +102,48 @@ static Scene wide_lamp(void) {
     return scene;
 }
 
-// The mean and the largest distance from the line on which light falls in the penumbra, along the middle row.
-static void measure_steps(const Probe *probe, double *mean, double *most) {
-    const TruthView *view = &probe->truth_view;
-    int count = 0, row = view->size.height / 2;
+// Where in the penumbrapixel i lies, 0 to 1; beyond it less or more.
+static double place_in_penumbra(const Probe *probe, size_t i) {
+    const TruthHit *hit = &probe->truth_view.picture.hits[i];
+    return hit->object == 0 ? (double)hit->position.x / 0.8 + 0.5 : -1; // the edge: -1.5 * 2 + 3 = 0
+}
+
+// Along the middle row: the mean and the largest distance from the line on which light falls in the penumbra,
+// and how many levels it has there that are wider than a texel and a pixel: as steps of three pixels.
+static int measure_steps(const Probe *probe, double *mean, double *most) {
+    const MetricsSize size = probe->truth_view.size;
+    int count = 0, alike = 0, levels = 0, before = -1;
     *mean = *most = 0;
-    for (int x = 0; x < view->size.width; x++) {
-        size_t i = (size_t)row * (size_t)view->size.width + (size_t)x;
-        double t = (double)view->picture.hits[i].position.x / 0.8 + 0.5; // the edge: -1.5 * 2 + 3 = 0
-        if (t <= 0 || t >= 1 || view->picture.hits[i].object != 0)
+    for (int x = 0; x < size.width; x++) {
+        size_t i = (size_t)(size.height / 2) * (size_t)size.width + (size_t)x;
+        double t = place_in_penumbra(probe, i), lit = probe->measured.visibility[i];
+        if (t <= 0 || t >= 1)
             continue;
-        double off = fabs((double)probe->measured.visibility[i] - t);
-        *mean += off;
-        *most = fmax(*most, off);
+        int level = (int)lround(255 * lit);
+        *mean += fabs(lit - t);
+        *most = fmax(*most, fabs(lit - t));
+        alike = level == before ? alike + 1 : 1;
+        levels += alike == 3;
+        before = level;
         count++;
     }
     *mean /= count;
+    return levels;
 }
 
-static bool add_levels(LabSet *labs, Findings *findings, Curve *curves[3], int n) {
+// With the jitter each lamp lies elsewhere in its cell, so that those of a column do not go dark together.
+// (Of 8 x 8 lamps most steps are narrower.)
+static bool add_jittered(Probe *probe, Curve *curve, int n) {
+    double mean, most;
+    probe->change = NULL;
+    probe_knob(probe, "jitter", 1);
+    if (!probe_draw(probe))
+        return false;
+    curve_add(curve, n, measure_steps(probe, &mean, &most), n + 2, 0);
+    return true;
+}
+
+static bool add_levels(LabSet *labs, Findings *findings, Curve *curves[4], int n) {
     const Scene scene = wide_lamp();
     double mean, most, shifted, size = 1024;
     double pixel = closed_unit(&scene, WIDE) / 0.8, texel = 2 * tan(closed_radians(40)) * 5 / size / 0.8;
@@ -143,6 +166,7 @@ static bool add_levels(LabSet *labs, Findings *findings, Curve *curves[3], int n
         measure_steps(&probe, &mean, &shifted);
         curve_add(curves[2], n, shifted, 1 / (double)n, tolerance);
     }
+    ok = ok && (n == 1 || n == 8 || add_jittered(&probe, curves[3], n));
     probe_end(&probe);
     return ok;
 }
@@ -150,9 +174,12 @@ static bool add_levels(LabSet *labs, Findings *findings, Curve *curves[3], int n
 static bool run_levels(LabSet *labs, Findings *findings) {
     Figure *steps = findings_figure(findings, "Steps in the penumbra", "lamps along a side",
                                     "distance from the true line");
+    Figure *levels =
+        findings_figure(findings, "Levels of the penumbra", "lamps along a side", "levels of light");
     steps->log_x = steps->log_y = true;
-    Curve *curves[3] = {figure_curve(steps, "mean", CURVE_EQUAL), figure_curve(steps, "largest", CURVE_EQUAL),
-                        figure_curve(steps, "failure: lamps at the cells' corners, largest", CURVE_EQUAL)};
+    Curve *curves[] = {figure_curve(steps, "mean", CURVE_EQUAL), figure_curve(steps, "largest", CURVE_EQUAL),
+                       figure_curve(steps, "failure: lamps at the cells' corners, largest", CURVE_EQUAL),
+                       figure_curve(levels, "jittered: more than the n + 1 of regular ones", CURVE_LEAST)};
     bool ok = true;
     for (int n = 1; ok && n <= 8; n *= 2)
         ok = add_levels(labs, findings, curves, n);
@@ -207,8 +234,7 @@ const Row LAB_TABLE[] = {
      "n regular lamps along a side make n + 1 levels, at most 1 / (2 n) and in the mean 1 / (4 n) away from "
      "the "
      "line on which light falls in a penumbra, as flattened casters (row 1002). At the cells' corners it is "
-     "1 / "
-     "n.",
+     "1 / n. Jittered lamps of a column go dark one after the other: more levels than n + 1.",
      "closed form", run_levels},
     {100 * LAB_NUMBER + 3, "the seams of a cube", "a cube of maps with projected depths",
      "16 to 56 texels along a face",

@@ -21,4 +21,4 @@ static void add_methods(MethodList *list, const char *scene) {
     add_soft(list, 1024, 16, 16);
 }
 
-const LabStudy LAB_TABLE[] = {{.add_methods = add_methods}};
+const LabStudy LAB_TABLE[] = {{.add_methods = add_methods, .contest = {LAB_ID, "wide lamp", 0.002}}};

@@ -1,5 +1,6 @@
 // Lab 14's penumbrae against closed forms (they stand at each test). A lamp straight before a wall, plates
 // parallel to it.
+#include "predict/prediction.h"
 #include "tests/helpers/witness.h"
 
 #include <setjmp.h>
@@ -61,6 +62,18 @@ static void check_stage(const Scene *scene, const char *stage, double x, double 
     image_destroy(&image);
 }
 
+// A blocker as far before the receiver as the second prediction says has a kernel of one texel by the first.
+static void test_kernel_of_a_texel(void **unused) {
+    (void)unused;
+    for (int texels = 128; texels <= 2048; texels *= 2) {
+        const double side = 0.8, receiver = 9.5, angle = 52,
+                     h = prediction_answer(LAB_ID, 1, (const double[4]){side, receiver, angle, texels}),
+                     kernel =
+                         prediction_answer(LAB_ID, 0, (const double[4]){side, receiver, receiver - h, angle});
+        assert_true(h > 0 && fabs(kernel * texels - 1) < 1e-9);
+    }
+}
+
 // In the umbra of a plate at the height h: what the map holds is b = H - h away, and so is the mean blocker.
 // The search begins at the sphere around the plate, b0 = b - sqrt(5), but not before the near plane; its
 // kernel is S (H - b0) / (2 H b0 tan), and the stage shows six times that.
@@ -70,16 +83,16 @@ static void test_stages(void **unused) {
         double h = 0.7 * i, b = CLOSED_LAMP_AT - h, x = -width_of(h) / 2 - 0.08;
         Scene scene = lamp_and_wall();
         closed_plate(&scene, h, 0);
-        const double tangent = tan((double)scene.lights[0].fov_y / 2);
         double far = (double)scene.lights[0].far_plane, b0 = fmax(b - sqrt(5), 2);
         check_stage(&scene, "distances", x, b / far);
         check_stage(&scene, "blockers", x, b / far);
-        check_stage(&scene, "kernels", x,
-                    6 * 2 * extent * (CLOSED_LAMP_AT - b0) / CLOSED_LAMP_AT / (2 * b0 * tangent));
+        const double given[] = {2 * extent, CLOSED_LAMP_AT, b0, glm_deg(scene.lights[0].fov_y)};
+        check_stage(&scene, "kernels", x, 6 * prediction_answer(LAB_ID, 0, given));
     }
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ramp), cmocka_unit_test(test_stages)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_ramp), cmocka_unit_test(test_kernel_of_a_texel),
+                                       cmocka_unit_test(test_stages)};
     return cmocka_run_group_tests_name("witness " LAB_ID, tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 // Lab 16's light against closed forms: one plate before a wall, and two. The lamp looks straight at the wall,
 // so that all depths of a plane are one; far aside, so that the plates do not hide their shadows from the
 // eye.
+#include "predict/prediction.h"
 #include "tests/helpers/witness.h"
 
 #include <setjmp.h>
@@ -24,8 +25,10 @@ static double one_plate(double q, double a, double b) {
 }
 
 static double two_plates(double q, double a, double b) {
-    double variance = q * (1 - q) * a * a, beyond = b + q * a;
-    return variance / (variance + beyond * beyond);
+    const double variance = prediction_answer(LAB_ID, 0, (const double[4]){q, 0, a}), beyond = b + q * a,
+                 light = prediction_answer(LAB_ID, 1, (const double[4]){q, a, b});
+    assert_true(fabs(light - variance / (variance + beyond * beyond)) < 1e-12);
+    return light;
 }
 
 // Around x = 0, where the upper plate's shadow ends: the filter, 2 r + 1 texels and a lookup between two of

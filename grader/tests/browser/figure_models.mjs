@@ -252,6 +252,21 @@ const models = {
         const two = { ...one, two: 1 }, step = 1e-3;
         near('14: two blockers, the false light', times(1600, (i) => (m.filtered(two, (i - 799.5) * step) - m.truth(two, (i - 799.5) * step)) * step).reduce((a, b) => a + b), 0.1, 1e-4);
     },
+    15(m) {
+        const state = { lambda: 1, count: 4, k: 0.3, far: [8, 0] };
+        near('15: logarithmic borders double', m.borders(state)[3], 4);
+        near('15: uniform borders are even', m.borders({ ...state, lambda: 0 })[1], 0.5 + 7.5 / 4);
+        near('15: with lambda 1 all slices are as coarse', m.coarse(state, 0)[0], m.coarse(state, 3)[0]);
+        all('15: the sphere is the smallest', 60, () => {
+            const a = between(0.1, 4), b = a + between(0, 6), k = between(0.1, 1.5), [center, radius] = m.sphere(a, b, k);
+            const reach = (c) => Math.max(Math.hypot(a - c, a * k), Math.hypot(b - c, b * k));
+            return Math.abs(reach(center) - radius) + Math.max(0, radius - Math.min(...times(400, (i) => reach((i / 400) * 2 * b))));
+        });
+        all('15: no lambda is better than 1 at its worst begin', 40, () => {
+            const narrow = { ...state, k: 0.15 }, any = { ...narrow, lambda: between(0, 1) };
+            return Math.max(0, m.worst(narrow) - m.worst(any));
+        });
+    },
     16(m) {
         const state = { upper: [0, 3], lower: [5, 1], two: 0, width: 1, at: [0.25, 0], cut: 0 };
         near('16: a quarter of the filter sees the plate', m.truth(state), 0.75);

@@ -73,6 +73,12 @@ best=$(table "$work/two/chart.csv" 'min((float(r["rmse"]), r["method"]) for r in
 grep -q "^| the root of the mean square |.* | $best |$" "$work/copy/grader/study/README.md" && ok || bad "the table names the filter with the least RMSE" "$best"
 grep -q '^| edges | [0-9.]* | [0-9.]* % of 0.01 | [0-9.]* | [0-9.]* % of 0.5 |$' "$work/copy/grader/study/README.md" && ok || bad "the table has the truth's noise"
 grep -q '^1 scenes in both' "$work/copy/grader/study/README.md" && ok || bad "the table compares two studies"
+cp -r "$root/solutions" "$work/copy"
+cp "$root/grader/study/README.md" "$work/copy/grader/study"
+findings "$work/one" "$root/README.md"
+expect "the tables of a study of one scene" 0
+others() { grep -vE '^[|] (volumes|The eye in a shadow)|scenes in both' "$1"; }
+cmp -s <(others "$root/grader/study/README.md") <(others "$work/copy/grader/study/README.md") && ok || bad "what is told of other scenes stays"
 sed -i '/"linear"/d' "$work/two/chart.csv"
 findings "$work/two"
 expect "a study that lacks a filter" 1 "the scene edges lacks filters"
@@ -93,6 +99,14 @@ theirs='{r["method"] for r in rows if r["whose"] == "submission"}'
     bad "a submission is charted with changes of its shaders only" "$(table "$work/faster/chart.csv" "$theirs")"
 near='(lambda e: max(e) - min(e) < 2e-4 < max(e))([float(r["error"]) for r in rows if r["method"].startswith("box") and r["setting"] == "1024 x 1024"])'
 [[ $(table "$work/faster/chart.csv" "$near") == True ]] && ok || bad "all boxes of 5 x 5 err alike"
+
+studies --scene "faster sky" --output "$work/sky"
+expect "occlusion that is faster" 0 "faster sky: "
+bakes='[{r["error"] for r in rows if r["method"].startswith("baked") and r["setting"] == s} for s in {r["setting"] for r in rows if "spheres" in r["method"]}]'
+[[ $(table "$work/sky/chart.csv" "len($bakes) > 1 and {len(e) for e in $bakes} == {1}") == True ]] && ok || bad "all bakes are the same"
+screens='{r["method"]: float(r["error"]) for r in rows if r["method"].startswith("screen space")}'
+[[ $(table "$work/sky/chart.csv" "len($screens) == 3 and max($screens.values()) < 1.2 * min($screens.values())") == True ]] && ok ||
+    bad "half the size and two factors err alike" "$(table "$work/sky/chart.csv" "$screens")"
 
 # A submission without bias lies far off; the solution as a submission lies on our points.
 submission=$(solved wrong 05)
