@@ -14,6 +14,8 @@ void after_lab_show_done(Sheet *sheet, const LabBoard *board) {
     else
         sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on to lab %s: %s.", board->rubrics[next].id,
                    board->rubrics[next].title);
+    sheet_line(sheet, STYLE_PLAIN, "  `make hand-in LAB=%s` packs what you hand in.",
+               board->rubrics[board->current].id);
 }
 
 static void show_head(Sheet *sheet, const char *head) {

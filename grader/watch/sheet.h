@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { SHEET_LINES = 160, SHEET_WIDTH = 320, SHEET_MARK = 8 };
+enum { SHEET_LINES = 320, SHEET_WIDTH = 320, SHEET_MARK = 8 };
 
 typedef enum Style { STYLE_PLAIN, STYLE_GOOD, STYLE_BAD, STYLE_NOTE, STYLE_BOLD, STYLE_DIM } Style;
 

@@ -47,12 +47,12 @@ static void take_light(const Frame *frame, vec3s lamp, float share) {
     glStencilMask(ONCE);
     glClear(GL_STENCIL_BUFFER_BIT); // this bit only
     for (int i = 0; i < frame->scene->object_count; i++) {
-        if (frame->scene->objects[i].shape != SHAPE_PLANE)
+        if (frame->scene->objects[i].shape != SHAPE_PLANE) {
             continue;
-            // TODO(10.7), second part: let the shadow through only where receiver i is seen.
-            // TODO(10.8): two casters, or the front and the back of one, must not take the light twice. Only
-            // the bit ONCE can be written now: change it where a shadow was drawn, and the number fits no
-            // more. (GL_INCR begins at the lowest bit.) Look up: glStencilOp, GL_INVERT.
+        }
+        // TODO(10.7), second part: let the shadow through only where receiver i is seen.
+        // TODO(10.8): two casters, or front and back of one, must not take the light twice. Only the bit ONCE
+        // can be written: change it where a shadow is drawn, and the number fits no more. Look up: GL_INVERT.
         draw_flat(frame, i, lamp);
     }
     glStencilMask(0xff);

@@ -13,12 +13,13 @@ out vec4 o_color;
 float visibility(vec3 position_world) {
     vec3 position_map;
     float outside, side = u_fixed_side;
-    if (!find_in_shadow_map(position_world, position_map, outside))
+    if (!find_in_shadow_map(position_world, position_map, outside)) {
         return outside;
-        // TODO(14.5): unless u_fixed, the side is that of the kernel for the mean blocker; where there is
-        // none, the point is lit.
-        // TODO(14.6): a kernel narrower than a texel shows the texel's corners: take no side less than that
-        // of one texel.
+    }
+    // TODO(14.5): unless u_fixed, the side is that of the kernel for the mean blocker; where there is
+    // none, the point is lit.
+    // TODO(14.6): a kernel narrower than a texel shows the texel's corners: take no side less than that
+    // of one texel.
     return filter_map(position_map, side);
 }
 

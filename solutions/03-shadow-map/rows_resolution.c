@@ -33,17 +33,18 @@ static double wrong_pixels(const Probe *probe, int row) {
 }
 
 // A plate high over a long floor (the wall z = 0), its edge going away from the camera's foot at the angle
-// phi; light from above. The edge falls anywhere among the pixels, and anywhere among the texels.
-static Scene long_floor(double phi, Random *random, float half_size, float eye_height) {
+// phi; light from above. The edge falls anywhere among the pixels, and anywhere among the texels; all
+// of it but the light stands `aside`.
+static Scene long_floor(double phi, Random *random, float half_size, float eye_height, float aside) {
     Scene scene = closed_wall(half_size, 1, glm_rad(60));
-    vec3s foot = vec3_make(random_range(random, -0.1F, 0.1F), -half_size, 6);
+    vec3s foot = vec3_make(aside + random_range(random, -0.1F, 0.1F), -half_size, 6);
     mat4s turned = glms_rotate(glms_translate_make(foot), -(float)phi, vec3_make(0, 0, 1));
     vec3s above = vec3_make(random_range(random, -0.1F, 0.1F), random_range(random, -0.1F, 0.1F), 9);
     closed_add(&scene, SHAPE_BOX, vec3_make(0, 0, 0), vec3_make(10, 80, 0.01F), 0);
     scene.objects[1].world_from_object =
         glms_mat4_mul(glms_translate(turned, vec3_make(-10, 0, 0)), scene.objects[1].world_from_object);
-    scene.camera.eye = vec3_make(0, -half_size, eye_height);
-    scene.camera.target = vec3_make(0, 0, eye_height - half_size * 0.35F);
+    scene.camera.eye = vec3_make(aside, -half_size, eye_height);
+    scene.camera.target = vec3_make(aside, 0, eye_height - half_size * 0.35F);
     scene.camera.near_plane = 0.1F;
     scene.camera.far_plane = 3 * half_size;
     closed_light(&scene, LIGHT_DIRECTIONAL, above, vec3_make(above.x, above.y, 0), 0, half_size, 1, 12);
@@ -51,8 +52,27 @@ static Scene long_floor(double phi, Random *random, float half_size, float eye_h
 }
 
 typedef struct Bin {
-    double depth, rows, wrong, expected, length;
+    double depth, rows, wrong, expected, texels; // texels: that the edge crosses
 } Bin;
+
+enum { WIDTH = 160, HEIGHT = 600, ONE_MAP = 1024, CASCADES = 4, CASCADE_MAP = 128 };
+static const double half_floor = 24, angle = 5, nearest = 2.5;
+
+// A texel of the one map, and of the cascade that a point at this depth before the camera asks: logarithmic
+// slices, each in its smallest sphere, one texel more all around (lab 15).
+static double one_texel(const Camera *camera, double depth) {
+    (void)camera;
+    (void)depth;
+    return 2 * half_floor / ONE_MAP;
+}
+
+static double cascade_texel(const Camera *camera, double depth) {
+    const double n = (double)camera->near_plane, ratio = pow((double)camera->far_plane / n, 1.0 / CASCADES);
+    const double begin = n * pow(ratio, floor(log(depth / n) / log(ratio))), end = begin * ratio;
+    const double k = tan(0.5 * (double)camera->fov_y) * hypot(1, (double)WIDTH / HEIGHT);
+    const double centre = fmin((begin + end) * (1 + k * k) / 2, end);
+    return 2 * hypot(end - centre, end * k) / (CASCADE_MAP - 2);
+}
 
 // Depth of a point before the camera.
 static double view_depth(const Probe *probe, vec3s position) {
@@ -63,11 +83,12 @@ static double view_depth(const Probe *probe, vec3s position) {
 
 // Adds the picture's rows, each of which shows one depth of the floor, to bins of an octave each from
 // `nearest` on.
-static void add_rows(const Probe *probe, double nearest, double width, Bin *bins) {
+static void add_rows(const Probe *probe, double (*texel)(const Camera *camera, double depth), Bin *bins) {
     const MetricsSize size = probe->truth_view.size;
     const TruthHit *hits = probe->truth_view.picture.hits;
-    double per_depth =
-        2 * tan(0.5 * probe->truth_view.truth.scene.camera.fov_y) / size.height; // of a pixel's width
+    const Camera *camera = &probe->truth_view.truth.scene.camera;
+    const double cosine = cos(closed_radians(angle)), error = edge_error(cosine, sin(closed_radians(angle)));
+    double per_depth = 2 * tan(0.5 * camera->fov_y) / size.height; // of a pixel's width
     for (int row = 1; row < size.height; row++) {
         const TruthHit *hit = &hits[row * size.width + size.width / 2], *above = hit - size.width;
         if (hit->object != 0 || above->object != 0)
@@ -79,8 +100,8 @@ static void add_rows(const Probe *probe, double nearest, double width, Bin *bins
         bins[bin].depth += depth;
         bins[bin].rows++;
         bins[bin].wrong += wrong_pixels(probe, row);
-        bins[bin].expected += width / unit;
-        bins[bin].length += above->position.y - hit->position.y;
+        bins[bin].expected += texel(camera, depth) * error / cosine / unit;
+        bins[bin].texels += (above->position.y - hit->position.y) / cosine / texel(camera, depth);
     }
 }
 
@@ -105,39 +126,51 @@ static void add_slope(Figure *figure, const Curve *points, const char *name, dou
     curve->count = points->count;
 }
 
-static bool run_perspective(LabSet *labs, Findings *findings) {
-    enum { WIDTH = 160, HEIGHT = 600, MAP = 1024 };
-    const double phi = closed_radians(5), texel = 2.0 * 24 / MAP, cosine = cos(phi), sine = sin(phi);
-    const double width = texel * edge_error(cosine, sine) / cosine;
-    Figure *figure = findings_figure(findings, "An edge along a long floor",
-                                     "distance from the camera (world units)", "error of the edge (pixels)");
-    Curve *curve = figure_curve(figure, "hard map", CURVE_EQUAL);
+// Draws the floors by a lab; `curve`: by octaves of the distance.
+static bool sweep_floors(LabSet *labs, Findings *findings, Curve *curve, bool cascades) {
     Random random = {SEED};
     Bin bins[BINS] = {{0}};
     bool ok = true;
-    figure->log_x = figure->log_y = true;
     for (int i = 0; ok && i < FLOORS; i++) {
-        const Scene scene = long_floor(phi, &random, 24, 2);
+        // The cascades' grid stands still in the world: texels of up to 0.8 units fall anywhere.
+        float aside = cascades ? random_range(&random, -0.8F, 0.8F) : 0;
+        const Scene scene = long_floor(closed_radians(angle), &random, (float)half_floor, 2, aside);
         Probe probe;
-        ok = probe_begin(&probe, labs, LAB_ID, &scene, WIDTH, HEIGHT);
-        probe_knob(&probe, "map size", MAP);
+        ok = probe_begin(&probe, labs, cascades ? "15" : LAB_ID, &scene, WIDTH, HEIGHT);
+        probe_knob(&probe, "map size", cascades ? CASCADE_MAP : ONE_MAP);
+        if (cascades) {
+            probe_knob(&probe, "slices", CASCADES);
+            probe_knob(&probe, "lambda", 1);
+            probe_knob(&probe, "blend", 0);
+        }
         ok = ok && probe_draw(&probe);
         if (ok)
-            add_rows(&probe, 2.5, width, bins);
+            add_rows(&probe, cascades ? cascade_texel : one_texel, bins);
         if (ok && i == 0)
             findings_frame(
-                findings, 0, 1, &probe.truth_view, &probe.measured,
-                "A long floor with one edge: the texels are as large everywhere, the pixels are not");
+                findings, cascades, 1, &probe.truth_view, &probe.measured,
+                cascades
+                    ? "The same by four maps of 128 x 128: the texels grow with the distance"
+                    : "A long floor with one edge: the texels are as large everywhere, the pixels are not");
         probe_end(&probe);
     }
     for (int i = 0; ok && i < BINS; i++) {
         const Bin *bin = &bins[i];
-        double expected = bin->expected / bin->rows;
-        double tolerance = tolerance_of(bin->length / cosine / texel, bin->expected);
+        double expected = bin->expected / bin->rows, tolerance = tolerance_of(bin->texels, bin->expected);
         curve_add(curve, bin->depth / bin->rows, bin->wrong / bin->rows, expected, tolerance * expected);
     }
+    return ok;
+}
+
+static bool run_perspective(LabSet *labs, Findings *findings) {
+    Figure *figure = findings_figure(findings, "An edge along a long floor",
+                                     "distance from the camera (world units)", "error of the edge (pixels)");
+    Curve *one = figure_curve(figure, "hard map", CURVE_EQUAL),
+          *cascades = figure_curve(figure, "remedy: four cascades", CURVE_EQUAL);
+    figure->log_x = figure->log_y = true;
+    bool ok = sweep_floors(labs, findings, one, false) && sweep_floors(labs, findings, cascades, true);
     if (ok)
-        add_slope(figure, curve, "power law", -1);
+        add_slope(figure, one, "power law", -1);
     return ok;
 }
 
@@ -247,11 +280,12 @@ static bool run_resolution(LabSet *labs, Findings *findings) {
 }
 
 const Row LAB_TABLE[] = {
-    {13, "perspective aliasing", "shadow map (cascades: not built)",
+    {13, "perspective aliasing", "shadow map of 1024 x 1024, and four cascades of 128 x 128",
      "distance from the camera, along a long floor",
      "A texel covers the same part of the floor everywhere, a pixel one that grows with the distance: the "
      "edge's error in pixels goes as 1 / distance, so the map is too coarse nearby and wasted far away. The "
-     "remedy, cascades, would flatten the curve; no lab has them, so only the failure is measured.",
+     "remedy, cascades (lab 15): texels grow with the slices, so the error stays between a best and a worst "
+     "value, whatever the distance, with a sixteenth of the texels.",
      "closed form", run_perspective},
     {14, "resolution", "shadow map of both kinds of light", "map size, 128 to 2048 texels",
      "The wrong area per length of the edge is 0.2436 texels for a circle, the mean over all directions of "

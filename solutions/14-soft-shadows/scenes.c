@@ -63,6 +63,23 @@ static void make_posts(Scene *scene, Random *random) {
     add_lamp(scene, random, GIVEN_EXTENT);
 }
 
+static void swap(Object *a, Object *b) {
+    Object object = *a;
+    *a = *b;
+    *b = object;
+}
+
+// The object nearest to the lamp comes to the front of the list, and the floor from there to the end.
+static void put_nearest_first(Scene *scene) {
+    Object *objects = scene->objects, *last = &objects[scene->object_count - 1];
+    vec3s lamp = scene->lights[0].position;
+    swap(&objects[0], last);
+    for (Object *object = objects; object < last; object++)
+        if (glms_vec3_distance(glms_vec3(object->world_from_object.col[3]), lamp) <
+            glms_vec3_distance(glms_vec3(objects[0].world_from_object.col[3]), lamp))
+            swap(&objects[0], object);
+}
+
 // Low, small things of all shapes: far from the near plane, so that a search from there steps over them.
 static void make_low(Scene *scene, Random *random) {
     begin(scene, random);
@@ -77,6 +94,7 @@ static void make_low(Scene *scene, Random *random) {
                     part_color(random));
     }
     add_lamp(scene, random, GIVEN_EXTENT);
+    put_nearest_first(scene);
 }
 
 const SceneMaker LAB_TABLE[] = {

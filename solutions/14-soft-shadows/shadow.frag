@@ -13,8 +13,9 @@ out vec4 o_color;
 float visibility(vec3 position_world) {
     vec3 position_map;
     float outside, side = u_fixed_side;
-    if (!find_in_shadow_map(position_world, position_map, outside))
+    if (!find_in_shadow_map(position_world, position_map, outside)) {
         return outside;
+    }
 #ifdef SOLUTION // 14.5
     if (!u_fixed) {
         float receiver = distance_of(position_world);
@@ -24,14 +25,14 @@ float visibility(vec3 position_world) {
         side = kernel_side(blocker, receiver);
     }
 #else
-        // TODO(14.5): unless u_fixed, the side is that of the kernel for the mean blocker; where there is
-        // none, the point is lit.
+    // TODO(14.5): unless u_fixed, the side is that of the kernel for the mean blocker; where there is
+    // none, the point is lit.
 #endif
 #ifdef SOLUTION // 14.6
     side = max(side, 1.0 / float(textureSize(u_shadow_map, 0).x));
 #else
-        // TODO(14.6): a kernel narrower than a texel shows the texel's corners: take no side less than that
-        // of one texel.
+    // TODO(14.6): a kernel narrower than a texel shows the texel's corners: take no side less than that
+    // of one texel.
 #endif
     return filter_map(position_map, side);
 }
