@@ -7,6 +7,7 @@
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "study/chart_svg.h"
+#include "study/counted_costs.h"
 #include "study/findings_csv.h"
 #include "study/chart_page.h"
 #include "study/verdict.h"
@@ -23,7 +24,7 @@ typedef struct ChartCommand {
     char lab[3]; // "": all
     int scene_count, frames, without;
     MetricsSize size;
-    bool quick, compare, list;
+    bool quick, compare, list, counted;
     char **compared; // two files
     bool trusted;    // no jail for the submission
     ContextKind context;
@@ -76,6 +77,8 @@ static const Option options[] = {
     {"context", 0, "C",
      "osmesa: CPU times (default; where there is no OSMesa, by EGL); egl: times of the GPU that EGL\nfinds",
      AT(context), option_context},
+    {"counted", 0, NULL, "count costs while the labs draw, and chart error against them, too: SCENE-cost.svg",
+     AT(counted), option_flag},
     {"quick", 0, NULL,
      "small pictures and few frames: some minutes; their pixels are larger, so less is enough", AT(quick),
      option_flag},
@@ -181,7 +184,9 @@ static void report(const SceneFindings *findings, FILE *needs) {
 
 static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
     static SceneFindings findings;
-    if (!measure_scene(plan, scene, &findings) || !chart_draw(&findings, plan->output))
+    if (!measure_scene(plan, scene, &findings) ||
+        (plan->counted && !counted_costs(&findings, &plan->artists, plan->output)) ||
+        !chart_draw(&findings, CHART_TIME, plan->output))
         return false;
     findings_csv_write(output->csv.out, &findings);
     findings_csv_views_write(output->views.out, &findings);
@@ -274,6 +279,7 @@ int main(int count, char **arguments) {
     plan.size = command.size.width ? command.size
                 : command.quick    ? (MetricsSize){320, 240}
                                    : (MetricsSize){STUDY_WIDTH, STUDY_HEIGHT};
+    plan.counted = command.counted;
     plan.frames = command.frames ? command.frames : command.quick ? 6 : 30;
     plan.artists.context = command.context;
     plan.artists.without = command.without;
