@@ -1,5 +1,6 @@
 #include "book/page_parts.h"
 
+#include <math.h>
 #include <stdio.h>
 
 enum { MOST_SHOWN = 100 };
@@ -22,8 +23,8 @@ void page_part_sheets(ClassPage *page) {
         "<h2>One sheet of predictions</h2>\n<p>Each student's questions have numbers of their own, drawn "
         "once. "
         "These have the numbers of somebody else: of one file, or of one repository that both began with. By "
-        "chance %.2g pairs are to be expected.</p>\n",
-        shared->by_chance);
+        "chance %s%.2f pairs are to be expected.</p>\n",
+        shared->by_chance < 0.01 ? "less than " : "", fmax(shared->by_chance, 0.01));
     page_begin_table(&page->page, "One sheet of predictions",
                      (const char *const[]){"lab", "#sheet", "student", "#points", NULL});
     for (int i = 0; i < shared->count && i < MOST_SHOWN; i++)

@@ -104,15 +104,20 @@ static bool write_texts(const char *folder, const Rubric *rubric, const Texts *t
 }
 
 // Builds aside and renames, so that a folder in the cache is always whole, also with several graders at once.
-static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts *texts) {
-    char aside[FILES_PATH], log[COMPILE_LOG];
+static bool build_in_cache(const char *folder, const Rubric *rubric, const Texts *texts,
+                           const Change *change) {
+    char aside[FILES_PATH], log[COMPILE_LOG] = "";
     snprintf(aside, sizeof aside, "%.4000s.%ld/", folder, (long)getpid());
     if (!files_make_folder(aside) || !write_texts(aside, rubric, texts) ||
         !given_place(aside, rubric->id, NULL))
         return false;
     if (!compiler_build(aside, NULL, log)) {
         files_remove(aside);
-        return check_fail("%s", log) || check_fail("our own lab %s does not compile", rubric->id);
+        if (!log[0]) // the compiler did not start
+            return false;
+        check_clear();
+        return check_fail("our own lab %s does not compile%s%s: %s", rubric->id, change ? " with " : "",
+                          change ? change->name : "", log);
     }
     aside[strlen(aside) - 1] = '\0';
     if (rename(aside, folder) != 0)
@@ -128,7 +133,7 @@ bool lab_folder_ours(char folder[FILES_PATH], const Rubric *rubric, Solved solve
         snprintf(name, sizeof name, "cache/%s-%016llx", rubric->id,
                  (unsigned long long)hash_texts(&texts, rubric));
         places_build_path(folder, name);
-        ok = files_exists(folder) || build_in_cache(folder, rubric, &texts);
+        ok = files_exists(folder) || build_in_cache(folder, rubric, &texts, change);
     }
     free_texts(&texts);
     return ok;

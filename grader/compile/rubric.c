@@ -1,6 +1,8 @@
+// The parts of a rubric, where each stands for messages, and what must be freed.
 #include "compile/rubric.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,12 +24,20 @@ JsonPlace rubric_check_place(const Rubric *rubric, const Check *check) {
 }
 
 JsonPlace rubric_change_place(const Rubric *rubric, const Change *change) {
-    for (int i = 0; i < rubric->mistake_count; i++)
-        if (change == &rubric->mistakes[i])
-            return json_fields_enter(&(JsonPlace){.folder = rubric->folder, .file = "mistakes.json"}, "",
-                                     (size_t)i, change->name);
-    return json_fields_enter(&(JsonPlace){.folder = rubric->folder, .file = "alternatives.json"}, "",
-                             (size_t)(change - rubric->alternatives), change->name);
+    const struct {
+        const Change *changes;
+        int count;
+        const char *file;
+    } lists[] = {{rubric->mistakes, rubric->mistake_count, "mistakes.json"},
+                 {rubric->alternatives, rubric->alternative_count, "alternatives.json"}};
+    for (size_t l = 0; l < COUNT(lists); l++)
+        for (int i = 0; i < lists[l].count; i++)
+            if (change == &lists[l].changes[i])
+                return json_fields_enter(&(JsonPlace){.folder = rubric->folder, .file = lists[l].file}, "",
+                                         (size_t)i, change->name);
+    JsonPlace place = {.folder = rubric->folder, .file = "a change of it"};
+    check_append(place.entry, sizeof place.entry, "\"%s\": ", change->name);
+    return place;
 }
 
 bool rubric_uses_scene(const Check *check, const char *scene) {

@@ -114,22 +114,20 @@ static bool used_up_its_time(const WorkerClient *client) {
             process->cpu_seconds >= client->seconds - client->used_seconds);
 }
 
-static void append_place(const WorkerClient *client, const Request *request, Reply *reply) {
-    char place[COMPILE_PLACE];
+static void append_place(WorkerClient *client, const Request *request, Reply *reply) {
     const char *folder = strcmp(client->folder, "-") == 0 ? request->folder : client->folder;
-    if (reply->place && compiler_locate(folder, client->jail, reply->place, place))
-        check_append(reply->message, sizeof reply->message, " (%s)", place);
+    known_place_append(&client->place, folder, client->jail, reply);
 }
 
 // What the worker said of itself in its last record; a lab may have written that, or prevented it.
-static void append_pass(const WorkerClient *client, const Request *request, Reply *reply) {
+static void append_pass(WorkerClient *client, const Request *request, Reply *reply) {
     if (reply->magic != PROTOCOL_CRASHED)
         return;
     check_append(reply->message, sizeof reply->message, " in %s", reply->pass);
     append_place(client, request, reply);
 }
 
-static void explain_crash(const WorkerClient *client, const Request *request, Reply *reply) {
+static void explain_crash(WorkerClient *client, const Request *request, Reply *reply) {
     const Process *process = &client->process;
     snprintf(reply->message, sizeof reply->message, "it crashed: %s (%s)",
              strsignal(WTERMSIG(process->status)), sigabbrev_np(WTERMSIG(process->status)));
@@ -139,7 +137,7 @@ static void explain_crash(const WorkerClient *client, const Request *request, Re
                      "; it had used %ld MiB, and memory ends at %d MiB", process->peak_mib, MEMORY_MIB);
 }
 
-static DrawResult explain_end(const WorkerClient *client, const Request *request, Reply *reply) {
+static DrawResult explain_end(WorkerClient *client, const Request *request, Reply *reply) {
     const Process *process = &client->process;
     char *text = reply->message;
     const size_t size = sizeof reply->message;
@@ -279,7 +277,9 @@ void worker_client_begin(WorkerClient *client) {
 
 bool worker_client_restart(WorkerClient *client) {
     const double deadline = client->process.deadline;
+    const KnownPlace place = client->place;
     worker_client_stop(client);
+    client->place = place; // the same lab.so
     client->used_seconds += client->process.cpu_seconds;
     if (++client->restarts > MAX_RESTARTS || client->used_seconds >= client->seconds ||
         process_now() >= deadline || !worker_client_start(client))
@@ -292,4 +292,5 @@ void worker_client_stop(WorkerClient *client) {
     if (client->started)
         process_stop(&client->process);
     client->started = client->greeted = client->fault = false;
+    client->place.folder[0] = '\0';
 }

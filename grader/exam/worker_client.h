@@ -5,6 +5,7 @@
 // stays lost until worker_client_restart. worker_client_stop ends it. One thread at a time.
 #pragma once
 
+#include "exam/known_place.h"
 #include "scene/context_kind.h"
 #include "base/files.h"
 #include "scene/image.h"
@@ -39,6 +40,7 @@ typedef struct WorkerClient {
     bool fault;          // the machine or we are to blame: no worker could be started. Until it is stopped
     bool has_crash;      // by SEGV, ABRT or BUS
     Request crash;       // the first for which it did
+    KnownPlace place;    // the last that it told
     int restarts;        // by worker_client_restart
     double used_seconds; // processor time of the workers before this one
     Process process;

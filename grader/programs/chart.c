@@ -4,10 +4,13 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
+#include "base/temporary.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "study/chart_svg.h"
+#include "study/counted_costs.h"
 #include "study/findings_csv.h"
+#include "study/growing_file.h"
 #include "study/chart_page.h"
 #include "study/verdict.h"
 
@@ -23,7 +26,7 @@ typedef struct ChartCommand {
     char lab[3]; // "": all
     int scene_count, frames, without;
     MetricsSize size;
-    bool quick, compare, list;
+    bool quick, compare, list, counted;
     char **compared; // two files
     bool trusted;    // no jail for the submission
     ContextKind context;
@@ -76,6 +79,8 @@ static const Option options[] = {
     {"context", 0, "C",
      "osmesa: CPU times (default; where there is no OSMesa, by EGL); egl: times of the GPU that EGL\nfinds",
      AT(context), option_context},
+    {"counted", 0, NULL, "count costs while the labs draw, and chart error against them, too: SCENE-cost.svg",
+     AT(counted), option_flag},
     {"quick", 0, NULL,
      "small pictures and few frames: some minutes; their pixels are larger, so less is enough", AT(quick),
      option_flag},
@@ -123,29 +128,10 @@ static bool is_wanted(const ChartCommand *command, const StudyScene *scene) {
     return named && (!command->lab[0] || measure_concerns(scene, command->lab));
 }
 
-// Files that grow scene by scene in memory; they are written when they are whole.
-typedef struct GrowingFile {
-    char path[FILES_PATH], *text;
-    size_t size;
-    FILE *out;
-} GrowingFile;
-
 typedef struct Output {
     GrowingFile csv, views, lines, page, needs;
     int scenes;
 } Output;
-
-static bool begin_file(GrowingFile *file, const char *folder, const char *name) {
-    files_join(file->path, folder, name);
-    file->out = open_memstream(&file->text, &file->size);
-    return file->out || check_fail("no memory for %s", file->path);
-}
-
-static bool end_file(GrowingFile *file) {
-    bool ok = fclose(file->out) == 0 && files_write_whole(file->path, file->text, true);
-    free(file->text);
-    return ok || check_fail("no memory for %s", file->path);
-}
 
 // The same setting of ours, which every one of a submission has.
 static int ours_of(const SceneFindings *findings, int submitted) {
@@ -181,7 +167,9 @@ static void report(const SceneFindings *findings, FILE *needs) {
 
 static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
     static SceneFindings findings;
-    if (!measure_scene(plan, scene, &findings) || !chart_draw(&findings, plan->output))
+    if (!measure_scene(plan, scene, &findings) ||
+        (plan->counted && !counted_costs(&findings, &plan->artists, plan->output)) ||
+        !chart_draw(&findings, CHART_TIME, plan->output))
         return false;
     findings_csv_write(output->csv.out, &findings);
     findings_csv_views_write(output->views.out, &findings);
@@ -201,16 +189,41 @@ static bool open_output(StudyPlan *plan, Output *output) {
     files_join(path, plan->output, "state");
     if (!measurements_open(&plan->state, path))
         return false;
-    return begin_file(&output->csv, plan->output, "chart.csv") &&
-           begin_file(&output->views, plan->output, "views.csv") &&
-           begin_file(&output->lines, plan->output, "lines.csv") &&
-           begin_file(&output->page, plan->output, "chart.html") &&
-           begin_file(&output->needs, plan->output, "needs.txt");
+    return growing_file_begin(&output->csv, plan->output, "chart.csv") &&
+           growing_file_begin(&output->views, plan->output, "views.csv") &&
+           growing_file_begin(&output->lines, plan->output, "lines.csv") &&
+           growing_file_begin(&output->page, plan->output, "chart.html") &&
+           growing_file_begin(&output->needs, plan->output, "needs.txt");
+}
+
+// Without an object that no scene has, the study would be the whole one.
+static bool has_left_out(const ChartCommand *command) {
+    static Scene scene;
+    bool any = command->without == 0;
+    for (int i = 0; !any && study_scene(i); i++) {
+        study_scene(i)->make(&scene);
+        any = is_wanted(command, study_scene(i)) && command->without <= scene.object_count;
+    }
+    return any || check_fail("none of these scenes has an object %d; --list tells how many each has",
+                             command->without - 1);
+}
+
+// Before anything is measured: an hour later would be late.
+static bool has_submission(const ChartCommand *command) {
+    char folder[FILES_PATH], path[FILES_PATH];
+    if (!command->submission)
+        return true;
+    if (!places_find_lab_in(folder, command->submission, command->lab))
+        files_join(folder, command->submission, "");
+    files_join(path, folder, "lab.c");
+    return files_exists(path) || check_fail("there is no lab %s in %s: no lab.c in it or in %s-*/",
+                                            command->lab, command->submission, command->lab);
 }
 
 static bool study(const ChartCommand *command, StudyPlan *plan) {
     static Output output;
-    if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
+    if (!has_left_out(command) || !has_submission(command) || !open_output(plan, &output) ||
+        !chart_page_begin(output.page.out))
         return false;
     findings_csv_head(output.csv.out);
     findings_csv_views_head(output.views.out);
@@ -221,11 +234,11 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
     if (output.scenes == 0)
         return check_fail("no scene of the study has settings of lab %s", command->lab);
     bool ok = chart_page_end(output.page.out);
-    ok = end_file(&output.csv) && ok;
-    ok = end_file(&output.views) && ok;
-    ok = end_file(&output.lines) && ok;
-    ok = end_file(&output.needs) && ok;
-    ok = end_file(&output.page) && ok;
+    ok = growing_file_end(&output.csv) && ok;
+    ok = growing_file_end(&output.views) && ok;
+    ok = growing_file_end(&output.lines) && ok;
+    ok = growing_file_end(&output.needs) && ok;
+    ok = growing_file_end(&output.page) && ok;
     printf("%s: open it in a browser; chart.csv, views.csv, lines.csv and the pictures SCENE.svg lie beside "
            "it\n",
            output.page.path);
@@ -268,12 +281,14 @@ int main(int count, char **arguments) {
     ContextKind drawing = command.context; // CONTEXT_ANY stays: only who asks for EGL gets a GPU's times
     command_line_settle_context(&command_line, &drawing);
     signal(SIGPIPE, SIG_IGN);
+    temporary_on_signals();
     char standard[FILES_PATH];
     places_build_path(standard, "study");
     plan.output = command.output ? command.output : standard;
     plan.size = command.size.width ? command.size
                 : command.quick    ? (MetricsSize){320, 240}
                                    : (MetricsSize){STUDY_WIDTH, STUDY_HEIGHT};
+    plan.counted = command.counted;
     plan.frames = command.frames ? command.frames : command.quick ? 6 : 30;
     plan.artists.context = command.context;
     plan.artists.without = command.without;

@@ -7,6 +7,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
+#include "base/temporary.h"
 #include "protocol/description.h"
 #include "protocol/request_options.h"
 
@@ -212,6 +213,7 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &command.context);
     signal(SIGPIPE, SIG_IGN);
+    temporary_on_signals();
     char folder[FILES_PATH];
     Rubric rubric = {0};
     bool found = places_find_lab(folder, command.lab), known = found && rubric_load(&rubric, folder);

@@ -10,6 +10,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
+#include "base/temporary.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -137,6 +138,7 @@ int main(int count, char **arguments) {
     command_line_settle_context(&command_line, &command.context);
     Proof proof = {.seeds = command.seeds, .context = command.context};
     signal(SIGPIPE, SIG_IGN);
+    temporary_on_signals();
     printf(
         "| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
         proof.seeds);

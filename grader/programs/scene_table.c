@@ -9,6 +9,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
+#include "base/temporary.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -169,6 +170,7 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, &table, count, arguments);
     command_line_settle_context(&command_line, &context);
     signal(SIGPIPE, SIG_IGN);
+    temporary_on_signals();
     printf("%s", table.power
                      ? "| lab | scene | what | without it |\n|---|---|---|---|\n"
                      : "| lab | scene | planes | boxes | spheres | arches | triangles | least need, % |\n"

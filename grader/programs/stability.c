@@ -139,8 +139,13 @@ static int run_rows(StabilityCommand *command, RowResult *results, int *failed) 
 
 static int run(StabilityCommand *command) {
     static RowResult results[ROW_MOST];
+    const int left_out = command->labs.without - 1;
     int failed, count = run_rows(command, results, &failed);
     const char *folder = command->output;
+    if (count == 0) {
+        fprintf(stderr, "stability: none of these rows has an object %d\n", left_out);
+        return 1;
+    }
     check_clear();
     bool ok = files_make_folder(folder) && write_json(results, count, folder) &&
               plot_all(results, count, folder) && write_page(results, count, folder);

@@ -11,6 +11,19 @@ double layout_place(const LayoutAxis *axis, double value) {
     return axis->from + log(value / axis->low) / log(axis->high / axis->low) * (axis->to - axis->from);
 }
 
+int layout_ticks(const LayoutAxis *axis, double *ticks, int most) {
+    static const double steps[] = {1, 2, 5};
+    bool wide = axis->high > 300 * axis->low;
+    int count = 0;
+    for (int power = -9; power <= 6; power++)
+        for (int s = 0; s < (wide ? 1 : 3); s++) {
+            double tick = steps[s] * pow(10, power);
+            if (tick >= axis->low && tick <= axis->high && count < most)
+                ticks[count++] = tick;
+        }
+    return count;
+}
+
 static bool overlap(LayoutBox a, LayoutBox b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }

@@ -21,6 +21,10 @@ typedef struct LayoutAxis {
 // The pixel of a value > 0.
 double layout_place(const LayoutAxis *axis, double value);
 
+// Writes the numbers 1, 2 and 5 times a power of ten within the axis, where these are many 1 times, at most
+// `most`; returns their number.
+int layout_ticks(const LayoutAxis *axis, double *ticks, int most);
+
 typedef struct LayoutPoint {
     bool drawn;
     double x, y;           // where its numbers say

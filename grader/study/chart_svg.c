@@ -15,8 +15,19 @@
 enum { WIDTH = 480, PLOT_HEIGHT = 470, ROW = 19, LETTERS = 14, SMALL = 12 };
 static const LayoutBox plot = {70, 48, WIDTH - 10, 48 + PLOT_HEIGHT};
 
+// What goes to the right.
+static const struct {
+    const char *file, *of_cpu, *of_gpu, *unit, *bars;
+} axes[] = {
+    [CHART_TIME] = {"", "CPU time of a frame, ms", "GPU time of a frame, ms", " ms",
+                    "MAD of the times, and "},
+    [CHART_COST] = {"-cost", "counted: reads, fragments, texels a pixel",
+                    "counted: reads, fragments, texels a pixel", " a pixel", ""},
+};
+
 typedef struct ChartPicture {
     const SceneFindings *findings;
+    ChartAxis axis;
     LayoutAxis time, error;
     double slowest; // of all but ray tracing, ms
     LayoutPoint points[METHOD_MOST];
@@ -65,29 +76,15 @@ static void set_axes(ChartPicture *chart) {
     chart->error.low /= 1.5, chart->error.high *= 1.6;
 }
 
-// The numbers 1, 2 and 5 times a power of ten within the axis; where these are many, 1 only.
-static int list_ticks(const LayoutAxis *axis, double *ticks, int most) {
-    static const double steps[] = {1, 2, 5};
-    bool wide = axis->high > 300 * axis->low;
-    int count = 0;
-    for (int power = -9; power <= 6; power++)
-        for (int s = 0; s < (wide ? 1 : 3); s++) {
-            double tick = steps[s] * pow(10, power);
-            if (tick >= axis->low && tick <= axis->high && count < most)
-                ticks[count++] = tick;
-        }
-    return count;
-}
-
 static void draw_axes(ChartPicture *chart) {
     double ticks[32];
     Svg *svg = &chart->svg;
-    for (int i = 0, count = list_ticks(&chart->time, ticks, 32); i < count; i++) {
+    for (int i = 0, count = layout_ticks(&chart->time, ticks, 32); i < count; i++) {
         double x = layout_place(&chart->time, ticks[i]);
         svg_line(svg, x, plot.top, x, plot.bottom, "#dddddd", 1, NULL);
         svg_text(svg, x, plot.bottom + 17, LETTERS, "middle", "#1a1a1a", "%g", ticks[i]);
     }
-    for (int i = 0, count = list_ticks(&chart->error, ticks, 32); i < count; i++) {
+    for (int i = 0, count = layout_ticks(&chart->error, ticks, 32); i < count; i++) {
         double y = layout_place(&chart->error, ticks[i]);
         svg_line(svg, plot.left, y, plot.right, y, "#dddddd", 1, NULL);
         svg_text(svg, plot.left - 5, y + 5, LETTERS, "end", "#1a1a1a", "%g %%", 100 * ticks[i]);
@@ -95,8 +92,8 @@ static void draw_axes(ChartPicture *chart) {
     svg_box(svg, plot, "#555555");
     svg_text(svg, WIDTH / 2.0, 19, LETTERS + 1, "middle", "#1a1a1a", "%s", chart->findings->scene->title);
     svg_text(svg, 10, plot.top - 8, LETTERS, "start", "#1a1a1a", "error, mean over the picture");
-    svg_text(svg, plot.right, plot.bottom + 35, LETTERS, "end", "#1a1a1a", "%s time of a frame, ms",
-             chart->findings->on_gpu ? "GPU" : "CPU");
+    svg_text(svg, plot.right, plot.bottom + 35, LETTERS, "end", "#1a1a1a", "%s",
+             chart->findings->on_gpu ? axes[chart->axis].of_gpu : axes[chart->axis].of_cpu);
 }
 
 // Lines that lie outside are named in the legend.
@@ -181,9 +178,9 @@ static void draw_mark(ChartPicture *chart, int i) {
     const Finding *finding = &chart->findings->findings[i];
     const LayoutPoint *at = &chart->points[i];
     int family = label_family(chart->findings, finding->method.family, finding->method.submission);
-    svg_begin_titled(&chart->svg, "%s%s, %s: %.3g ms, error %.3g %%",
+    svg_begin_titled(&chart->svg, "%s%s, %s: %.3g%s, error %.3g %%",
                      finding->method.submission ? "submission: " : "", finding->method.family,
-                     finding->method.name, chart->findings->points[i].ms,
+                     finding->method.name, chart->findings->points[i].ms, axes[chart->axis].unit,
                      100 * chart->findings->points[i].error);
     if (finding->chosen)
         svg_ring(&chart->svg, at->mark_x, at->mark_y, 2 * LAYOUT_MARK, "#000000");
@@ -237,7 +234,8 @@ static double draw_notes(ChartPicture *chart, double y) {
     snprintf(text, sizeof text, "%s = %s.", label, example(chart->findings)->method.name);
     note(chart, &y, text);
     note(chart, &y, "Ring: the cheapest that is enough. Grey: the front.");
-    snprintf(text, sizeof text, "Bars: MAD of the times, and least and most error of %d views.", STUDY_VIEWS);
+    snprintf(text, sizeof text, "Bars: %sleast and most error of %d views.", axes[chart->axis].bars,
+             STUDY_VIEWS);
     note(chart, &y, text);
     for (int i = 0; i < chart->findings->lines.count; i++) {
         const Baseline *line = &chart->findings->lines.lines[i];
@@ -280,13 +278,14 @@ static void draw(ChartPicture *chart) {
     svg_end(&chart->svg, WIDTH, (int)y);
 }
 
-bool chart_draw(const SceneFindings *findings, const char *folder) {
+bool chart_draw(const SceneFindings *findings, ChartAxis axis, const char *folder) {
     char path[FILES_PATH], file[64];
     ChartPicture *chart = calloc(1, sizeof *chart);
     if (!chart)
         return check_fail("out of memory for a chart");
     chart->findings = findings;
-    snprintf(file, sizeof file, "%s.svg", findings->scene->name);
+    chart->axis = axis;
+    snprintf(file, sizeof file, "%s%s.svg", findings->scene->name, axes[axis].file);
     files_join(path, folder, file);
     set_axes(chart);
     bool ok = svg_begin(&chart->svg);

@@ -3,5 +3,8 @@
 
 #include "study/finding.h"
 
-// Writes folder/SCENE.svg. False with a message.
-bool chart_draw(const SceneFindings *findings, const char *folder);
+typedef enum ChartAxis { CHART_TIME, CHART_COST } ChartAxis;
+
+// Writes folder/SCENE.svg, or, of findings with costs in the place of times, folder/SCENE-cost.svg. False
+// with a message.
+bool chart_draw(const SceneFindings *findings, ChartAxis axis, const char *folder);

@@ -36,11 +36,21 @@ bool lab_artist_open_measured(LabArtist *artist, const char *id, ContextKind con
     return take_solution(artist);
 }
 
+// In one line: the compiler's first error.
+static bool tell_compiler(const char *log) {
+    const char *error = strstr(log, "error: ");
+    while (error && error > log && error[-1] != '\n')
+        error--;
+    check_clear();
+    return check_fail("the submission does not compile: %.*s", (int)strcspn(error ? error : log, "\n"),
+                      error ? error : log);
+}
+
 static bool derive(LabArtist *artist, const char *folder) {
     char log[COMPILE_LOG] = "";
     return files_make_temporary(artist->client.folder) &&
            (lab_folder_submission(artist->client.folder, &artist->rubric, folder, artist->client.jail, log) ||
-            check_fail("%s", log[0] ? log : "the submission does not compile"));
+            (log[0] && tell_compiler(log)));
 }
 
 bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *submission, const Jail *jail,

@@ -189,6 +189,22 @@ static void tell_views(Line line, const SceneFindings *findings) {
         check_append(line.text, line.size, "; one view alone would name %d different settings", different);
 }
 
+// The limits are for pictures of one size; the camera's angle is that of the picture's height.
+static void tell_size(Line line, const SceneFindings *findings) {
+    const MetricsSize size = findings->size;
+    const bool larger = size.height<STUDY_HEIGHT, smaller = size.height> STUDY_HEIGHT;
+    if (larger || smaller || size.width != STUDY_WIDTH)
+        check_append(line.text, line.size, "; these are pictures of %d x %d, %s those of %d x %d%s",
+                     size.width, size.height,
+                     larger    ? "whose pixels are larger:"
+                     : smaller ? "whose pixels are smaller:"
+                               : "which do not show what is in",
+                     STUDY_WIDTH, STUDY_HEIGHT,
+                     larger    ? " may need more"
+                     : smaller ? " may do with less"
+                               : "");
+}
+
 void findings_tell(const SceneFindings *findings, char *text, size_t size) {
     const Finding *chosen = findings_chosen(findings), *next = findings_next_cheaper(findings);
     const Line line = {text, size};
@@ -206,9 +222,5 @@ void findings_tell(const SceneFindings *findings, char *text, size_t size) {
         tell_limits(line, findings, chosen);
     }
     tell_views(line, findings);
-    if (findings->size.width < STUDY_WIDTH || findings->size.height < STUDY_HEIGHT)
-        check_append(
-            text, size,
-            "; these are pictures of %d x %d, whose pixels are larger: those of %d x %d may need more",
-            findings->size.width, findings->size.height, STUDY_WIDTH, STUDY_HEIGHT);
+    tell_size(line, findings);
 }

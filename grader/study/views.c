@@ -78,7 +78,7 @@ void views_make_drawn(const StudyScene *scene, Random *random, Scene *made) {
 // A truth's place, named after all that it was made from.
 static void truth_path(char path[FILES_PATH], const char *folder, const TruthView *truth_view,
                        const TruthQuery *query) {
-    enum { VERSION = 1 };
+    enum { VERSION = 2 };
     const int32_t numbers[] = {
         VERSION,        STUDY_ACROSS,     truth_view->size.width, truth_view->size.height,
         query->samples, (int)query->kind, (int32_t)query->seed,   query->light};
@@ -89,6 +89,13 @@ static void truth_path(char path[FILES_PATH], const char *folder, const TruthVie
     char name[48];
     snprintf(name, sizeof name, "truth/%016" PRIx64, hash);
     files_join(path, folder, name);
+}
+
+// A name of the truth's content, which ends its file: a file of the right size may still hold other bytes, as
+// after a crash or from a failing disk.
+static uint64_t content_of(const float *visibility, const float *noise, size_t pixels) {
+    uint64_t hash = hash_bytes(HASH_START, visibility, pixels * sizeof *visibility);
+    return hash_bytes(hash, noise, pixels * sizeof *noise);
 }
 
 static float *read_floats(FILE *file, size_t count) {
@@ -102,23 +109,29 @@ static float *read_floats(FILE *file, size_t count) {
 // A truth of an earlier run; false, without a message, when there is none that is whole.
 static bool recall(TruthView *truth_view, const char *path) {
     size_t pixels = (size_t)truth_view->size.width * (size_t)truth_view->size.height;
+    uint64_t content = 0;
     FILE *file = fopen(path, "rb");
     if (!file)
         return false;
     float *visibility = read_floats(file, pixels), *noise = visibility ? read_floats(file, pixels) : NULL;
+    bool whole = noise && fread(&content, sizeof content, 1, file) == 1 &&
+                 content == content_of(visibility, noise, pixels);
     fclose(file);
-    if (noise)
+    if (whole)
         return truth_view_take(truth_view, visibility, noise);
     free(visibility);
+    free(noise);
     return false;
 }
 
 // Keeps the truth for the next run. A disk that is full costs time, not the study: half a truth is not taken.
 static void keep(const TruthView *truth_view, const char *path) {
     size_t pixels = (size_t)truth_view->size.width * (size_t)truth_view->size.height;
+    uint64_t content = content_of(truth_view->visibility, truth_view->noise, pixels);
     FILE *file = fopen(path, "wb");
-    if (file && fwrite(truth_view->visibility, sizeof(float), pixels, file) == pixels)
-        fwrite(truth_view->noise, sizeof(float), pixels, file);
+    if (file && fwrite(truth_view->visibility, sizeof(float), pixels, file) == pixels &&
+        fwrite(truth_view->noise, sizeof(float), pixels, file) == pixels)
+        fwrite(&content, sizeof content, 1, file);
     if (file)
         fclose(file);
 }

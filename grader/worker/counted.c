@@ -55,8 +55,8 @@ static void GLAD_API_PTR give_source(GLuint shader, GLsizei count, const GLchar 
     free(made);
 }
 
-// The texels of the texture `name`, whatever its kind, in one level; 0 for none.
-static double texture_texels(GLuint name, GLint level) {
+// The texels of the texture `name`, whatever its kind, in one level, of all its layers or of one; 0 for none.
+static double texture_texels(GLuint name, GLint level, bool layered) {
     static const GLenum kinds[][2] = {{GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
                                       {GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BINDING_2D_ARRAY},
                                       {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
@@ -75,7 +75,7 @@ static double texture_texels(GLuint name, GLint level) {
                 cube ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : kinds[i][0], level,
                 (const GLenum[]){GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH}[side], &sides[side]);
         glad_glBindTexture(kinds[i][0], (GLuint)bound);
-        texels = (double)sides[0] * sides[1] * sides[2] * (cube ? 6 : 1);
+        texels = (double)sides[0] * sides[1] * (layered ? sides[2] * (cube ? 6 : 1) : 1);
     }
     return texels;
 }
@@ -104,7 +104,8 @@ static double target_texels(void) {
         const GLint kind = attachment(points[i], GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
         const GLuint name = kind ? (GLuint)attachment(points[i], GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME) : 0;
         if (kind == GL_TEXTURE)
-            texels = texture_texels(name, attachment(points[i], GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL));
+            texels = texture_texels(name, attachment(points[i], GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL),
+                                    attachment(points[i], GL_FRAMEBUFFER_ATTACHMENT_LAYERED) == GL_TRUE);
         else if (kind == GL_RENDERBUFFER)
             texels = renderbuffer_texels(name);
     }

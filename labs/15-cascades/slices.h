@@ -48,12 +48,13 @@ static float corner_tangent(const Camera *camera, float aspect) {
     return tanf(camera->fov_y / 2);
 }
 
-// The smallest sphere that holds the slice's eight corners, k = corner_tangent.
+// The smallest sphere that holds the slice's eight corners, k = corner_tangent; from a to b, in the handout's
+// words.
 static void find_sphere(Slice *slice, float k) {
-    float n = slice->begin, f = slice->end;
+    float a = slice->begin, b = slice->end;
     // TODO(15.2), second part: this sphere has the slice's length and leaves its corners out. See the
     // handout.
     UNUSED(k);
-    slice->centre = (n + f) / 2;
-    slice->radius = (f - n) / 2;
+    slice->centre = (a + b) / 2;
+    slice->radius = (b - a) / 2;
 }

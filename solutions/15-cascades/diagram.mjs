@@ -1,5 +1,5 @@
 // The diagrams of lab 15: slices and their spheres, and a map on a fixed grid.
-const k = 0.42, ends = [1, 2, 4, 8];
+const k = 0.32, ends = [1, 2, 4, 8];
 const sphere = (n, f) => {
   const center = Math.min(((f + n) * (1 + k * k)) / 2, f);
   return [center, Math.hypot(f - center, f * k)];
@@ -18,8 +18,8 @@ export const diagrams = [{
       panel.dot([center, 0], "mark", 3);
     }
     panel.eye([0, 0], [1, 0], "eye", "n");
-    panel.text([1, -k], "near plane", "s", "quiet");
-    panel.text([8, 0], "far plane", "e", "quiet");
+    panel.text([1, -k], "*n*", "s");
+    panel.text([8, -8 * k], "*f*", "s");
     panel.text([2, -2 * k], "*C*₁", "s");
     panel.text([4, -4 * k], "*C*₂", "s");
   },

@@ -11,6 +11,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -129,7 +130,8 @@ static void test_names(void **unused) {
         {"\n#define ANY tex##ture\nlit += ANY(u_shadow_map, place).r;\n", 0},
         {"\n#undef texture\nlit += texture(u_shadow_map, place).r;\n", 0},
         {"\n#un\\\ndef texture\nlit += texture(u_shadow_map, place).r;\n", 0},
-        {"lit += textureProjLod(u_shadow_map, vec3(place, 1.0), 0.0).r;", 0},
+        {"lit += textureProjLod(u_shadow_map, vec3(place, 1.0), 0.0).r;", 1},
+        {"lit += textureProjLod(u_shadow_map, vec4(place, 0.0, 1.0), 0.0).r;", 0},
         {"lit += texture(u_shadow_map, place).r; atomicCounterDecrement(counted_taps);", 0},
     };
     static Reply reply;
@@ -200,6 +202,63 @@ static void test_methods(void **unused) {
         image_destroy(*i);
 }
 
+// By the solution of another lab.
+static void draw_other(const char *id, const Request *request, Image *image, Reply *reply) {
+    char place[FILES_PATH];
+    Rubric other;
+    WorkerClient client = {.trust = TRUST_OURS, .quick_shaders = true};
+    assert_true(places_find_lab(place, id) && rubric_load(&other, place));
+    assert_true(lab_folder_ours(client.folder, &other, (Solved){SOLVED_ALL, NULL}, NULL));
+    if (worker_client_draw(&client, request, image, reply) != DRAW_OK)
+        fail_msg("lab %s, counted %d: %s", id, request->counted, reply->message);
+    worker_client_stop(&client);
+    rubric_destroy(&other);
+}
+
+// Every lab of ours can be counted, and counting changes no pixel but where an offset is rounded otherwise.
+static void compare(const char *id, void *unused) {
+    (void)unused;
+    static Reply reply;
+    static Request request;
+    Image images[2] = {{0}};
+    Scene scene = wall();
+    closed_add(&scene, SHAPE_BOX, vec3_make(0.5F, 0.1F, 0.6F), vec3_make(0.3F, 0.3F, 0.3F), 20);
+    for (int counted = 0; counted < 2; counted++) {
+        request = request_of(&scene, "visibility", counted);
+        request.knob_count = 0;
+        draw_other(id, &request, &images[counted], &reply);
+    }
+    long differ = 0;
+    for (size_t at = 0; at < image_bytes(&images[0]); at++)
+        differ += abs(images[0].rgba[at] - images[1].rgba[at]) > 2;
+    print_message("lab %s: %.0f reads, %.0f fragments, %.0f texels; %ld bytes differ\n", id,
+                  reply.counts.taps, reply.counts.fragments, reply.counts.texels, differ);
+    assert_true(reply.counts.fragments >= WIDTH * HEIGHT && differ <= 8);
+    image_destroy(&images[0]);
+    image_destroy(&images[1]);
+}
+
+static void test_all_labs(void **unused) {
+    (void)unused;
+    assert_true(places_list_labs(compare, NULL));
+}
+
+// Of a texture with layers a clear writes the one that is attached: n x n lamps of lab 11 have as many maps.
+static void test_layers(void **unused) {
+    (void)unused;
+    enum { LAMPS = 3, SIDE = 128 };
+    static Reply reply;
+    Image image = {0};
+    const Scene scene = wall();
+    Request request = request_of(&scene, "visibility", COUNTED_READS);
+    request.knobs[0].value = SIDE;
+    request.knobs[1] = (KnobSetting){"lamps", LAMPS};
+    request.knob_count = 2;
+    draw_other("11", &request, &image, &reply);
+    assert_true(reply.counts.texels == LAMPS * LAMPS * SIDE * SIDE);
+    image_destroy(&image);
+}
+
 // Texels that come from the processor, and what is copied, are told.
 static void test_past_counters(void **unused) {
     (void)unused;
@@ -231,8 +290,9 @@ int main(void) {
         fprintf(stderr, "%s\n", check_message());
         return 1;
     }
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_search), cmocka_unit_test(test_filter),
-                                       cmocka_unit_test(test_names), cmocka_unit_test(test_methods),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_search),       cmocka_unit_test(test_filter),
+                                       cmocka_unit_test(test_names),        cmocka_unit_test(test_methods),
+                                       cmocka_unit_test(test_all_labs),     cmocka_unit_test(test_layers),
                                        cmocka_unit_test(test_past_counters)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     rubric_destroy(&rubric);

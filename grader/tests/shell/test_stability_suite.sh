@@ -116,6 +116,8 @@ suite --mistake "04"
 expect "a mistake without a name" 2 "--mistake takes NN:NAME"
 suite --row 2 --mistake "04:no such thing"
 expect "an unknown mistake" 1 "no mistake \"no such thing\"" "1 of 1 rows fail"
+suite --row 17 --without 15
+expect "an object that the row has not" 1 "none of these rows has an object 15"
 suite surplus
 expect "a surplus argument" 2 "\"surplus\" is not an option"
 suite --row 30 --output /proc/nowhere

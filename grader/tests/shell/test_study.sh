@@ -137,7 +137,7 @@ grep -q 'stroke-dasharray="1 3"' "$work/one/volumes.svg" && ok || bad "the chart
 # A submission that does not compile is said to be so, and ours are charted.
 echo "int" >"$right/05-pcf/lab.c"
 studies --scene volumes --lab 05 --submission "$right" --output "$work/one"
-expect "a submission that does not compile" 0 "not drawn: " "lab.c"
+expect "a submission that does not compile" 0 "not drawn: the submission does not compile: " "lab.c:" "error: "
 
 # Ours and a submission are measured under one condition: neither worker is told to compile shaders in haste.
 right=$(solved same 05)
@@ -173,6 +173,19 @@ expect "a device that is not there" 1 'SHADOW_LAB_EGL_DEVICE is "70"; EGL lists 
 unset SHADOW_LAB_EGL_DEVICE
 studies --scene edges --lab 05 --context egl --submission "$right" --output "$work/egl"
 expect "a submission by EGL" 2 "--trusted only"
+
+# A truth on disk that is not what was written is traced again.
+for truth in "$work/one/truth"/*; do head -c "$(stat -c %s "$truth")" /dev/zero >"$truth"; done
+cp "$work/one/views.csv" "$work/views"
+rm "$work/one/state"
+studies --scene volumes --output "$work/one"
+cmp -s <(grep -v '^rays\|submission' "$work/views") <(grep -v submission "$work/one/views.csv") && ok || bad "a truth of other bytes is not believed"
+studies --scene edges --without 15 --output "$work/one"
+expect "an object that no scene has" 1 "none of these scenes has an object 15"
+
+mkdir "$work/empty"
+studies --scene edges --lab 05 --submission "$work/empty" --output "$work/one"
+expect "a submission without the lab" 1 "there is no lab 05 in $work/empty"
 
 studies --scene nowhere
 expect "unknown scene" 2 'there is no scene "nowhere"' "penumbra"
