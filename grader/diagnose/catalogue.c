@@ -176,11 +176,38 @@ static bool is_contradicted(const LabResult *result, int m, Exam *exam) {
     return false;
 }
 
+static int nearest(const double distances[], int count, int but) {
+    int best = -1;
+    for (int m = 0; m < count; m++)
+        if (m != but && distances[m] < (best < 0 ? INFINITY : distances[best]))
+            best = m;
+    return best;
+}
+
+static bool same_task(const Change *a, const Change *b) {
+    return a->task && b->task && strcmp(a->task, b->task) == 0;
+}
+
+// The nearest, and of those that are at most `alike` farther away the next; more of them are only counted.
+static void choose(Named *named, const double distances[], double alike, const Rubric *rubric) {
+    const int count = rubric->mistake_count, first = nearest(distances, count, -1);
+    const int second = first < 0 ? -1 : nearest(distances, count, first);
+    int alikes = 0, tasks = 0;
+    named->first = first;
+    named->second = second >= 0 && distances[second] <= distances[first] + alike ? second : -1;
+    for (int m = 0; m < count && first >= 0; m++)
+        if (distances[m] < INFINITY && distances[m] <= distances[first] + alike) {
+            alikes++;
+            tasks += !same_task(&rubric->mistakes[m], &rubric->mistakes[first]);
+        }
+    named->many = alikes > 2 && tasks > 0;
+}
+
 bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const bool failed[],
                     const ResetFound *found) {
     const Rubric *rubric = exam->rubric;
-    double nearest = INFINITY, next = INFINITY, reference = 0;
-    *named = (Named){-1, -1, looks_of(result, exam, failed)};
+    double reference = 0, distances[EXAM_MAX_MISTAKES];
+    *named = (Named){.first = -1, .second = -1, .looks = looks_of(result, exam, failed)};
     const bool shown = named->looks != NAMED_PLAIN;
     const bool placed = result->fault.count > 0 || (found && found->any);
     if (!shown && !placed)
@@ -188,24 +215,15 @@ bool catalogue_find(Named *named, const LabResult *result, Exam *exam, const boo
     INVARIANT(rubric->mistake_count <= EXAM_MAX_MISTAKES);
     for (int m = 0; m < rubric->mistake_count; m++) {
         const Change *mistake = &rubric->mistakes[m];
+        distances[m] = INFINITY;
         if (!lies_in_fault(mistake, &result->fault, rubric) || !lies_in_found(mistake, found, exam))
             continue;
         const double own = distance(result, m, exam, failed, shown, &reference);
         if (own < 0)
             return false;
-        if (own == INFINITY || (!shown && own > 0) || is_contradicted(result, m, exam))
-            continue;
-        if (own < nearest) {
-            next = nearest;
-            named->second = named->first;
-            nearest = own;
-            named->first = m;
-        } else if (own < next) {
-            next = own;
-            named->second = m;
-        }
+        if (own < INFINITY && (shown || own == 0) && !is_contradicted(result, m, exam))
+            distances[m] = own;
     }
-    if (next > nearest + ALIKE * reference)
-        named->second = -1;
+    choose(named, distances, ALIKE * reference, rubric);
     return true;
 }

@@ -8,12 +8,14 @@
 // Of the failed checks' pictures: where they show so little, many causes draw that.
 typedef enum NamedLooks {
     NAMED_SHOWN,
-    NAMED_PLAIN,   // one colour each
-    NAMED_NO_EDGES // no edge of a shadow is left in any
+    NAMED_PLAIN,    // one colour each
+    NAMED_NO_EDGES, // no edge of a shadow is left in any
+    NAMED_NO_EFFECT // those of the mistake's task are the lab without it
 } NamedLooks;
 
 typedef struct Named {
     int first, second; // numbers in rubric->mistakes; second draws nearly the same; -1: none
+    bool many;         // a third one draws nearly the same, and their tasks are not all the same
     NamedLooks looks;
 } Named;
 

@@ -13,7 +13,14 @@ static void describe_size(CheckResult *check, const Variant *variant) {
              ours->stage_height);
 }
 
-void describe_check(CheckResult *check, int c, const Exam *exam, const OpenTasks *tasks) {
+static bool is_suspect(const Suspects *suspects, int t) {
+    for (int i = 0; i < suspects->count; i++)
+        if (suspects->tasks[i] == t)
+            return true;
+    return false;
+}
+
+void describe_check(CheckResult *check, int c, const Exam *exam, const Suspects *suspects) {
     const int own = rubric_task_index(exam->rubric, check->check->task);
     if (!check->yours[check->worst].rgba)
         return;
@@ -22,7 +29,7 @@ void describe_check(CheckResult *check, int c, const Exam *exam, const OpenTasks
         describe_size(check, &exam->variants[c][check->worst]);
     else if (check->refused && check->error == 0)
         snprintf(check->seen, sizeof check->seen, "the picture is right here, but OpenGL refused a call");
-    else if (touch == TOUCH_TASK_MISSING && own >= 0 && !tasks->open[own])
+    else if (touch == TOUCH_TASK_MISSING && is_suspect(suspects, own))
         snprintf(check->seen, sizeof check->seen, "your task %s has no effect here yet", check->check->task);
     else if (touch == TOUCH_AS_SKELETON)
         snprintf(check->seen, sizeof check->seen, "the picture is that of the lab as it was handed out");

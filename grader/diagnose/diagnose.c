@@ -179,15 +179,8 @@ static void name_failed(Diagnosis *this, const char *mistake, const char *hint) 
         else if (this->suspects.count > 0)
             check->cause_task = rubric->hints[this->suspects.tasks[0]].task;
         if (this->named.first < 0)
-            describe_check(check, c, this->exam, &this->open);
+            describe_check(check, c, this->exam, &this->suspects);
     }
-}
-
-// A picture of one colour, or without any edge of a shadow, has many causes. Where nobody has compared the
-// words, a known mistake that draws it is an example and no name.
-static bool is_example(const Diagnosis *this) {
-    return this->named.first >= 0 && this->named.looks != NAMED_SHOWN && this->result->fault.reset &&
-           this->result->fault.count > 0;
 }
 
 static void find_no_effect(Diagnosis *this) {
@@ -195,18 +188,27 @@ static void find_no_effect(Diagnosis *this) {
     for (int i = 0; i < suspects->count && !suspects->no_effect; i++)
         suspects->no_effect = describe_no_effect(this->result, this->exam, this->failed,
                                                  this->exam->rubric->hints[suspects->tasks[i]].task);
+    if (suspects->no_effect && this->named.looks == NAMED_SHOWN)
+        this->named.looks = NAMED_NO_EFFECT;
+}
+
+// A picture of one colour, or without any edge of a shadow, or without the task, has many causes. Where
+// nobody has compared the words, a known mistake that draws it is an example and no name.
+static bool is_example(const Diagnosis *this) {
+    return this->named.first >= 0 && this->named.looks != NAMED_SHOWN && this->result->fault.reset &&
+           this->result->fault.count > 0;
 }
 
 static void name_faults(Diagnosis *this) {
     char cause[256], hint[1500], example[160] = "";
     const Rubric *rubric = this->exam->rubric;
+    find_no_effect(this);
     if (is_example(this)) {
         snprintf(example, sizeof example, "; one mistake that looks so: %s",
                  rubric->mistakes[this->named.first].name);
         this->named.first = -1;
     }
     const bool named = this->named.first >= 0;
-    find_no_effect(this);
     if (named) {
         wording_names(cause, sizeof cause, &this->named, rubric);
         snprintf(hint, sizeof hint, "%s", rubric->mistakes[this->named.first].hint);
@@ -249,6 +251,8 @@ static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch
         return find_by_swap(this, student) && find_mistake(this, NULL);
     if (!find_by_reset(this, student, &found) || !find_mistake(this, &found))
         return false;
+    if (this->named.many) // each of them is as likely, and nobody has compared the words
+        this->named = (Named){.first = -1, .second = -1};
     if (!found.both)
         narrow_to_named(this);
     reset_note(&this->result->fault, &found, &this->suspects, this->exam->parts);

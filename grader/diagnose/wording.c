@@ -113,6 +113,8 @@ void wording_names(char *text, size_t size, const Named *named, const Rubric *ru
         check_append(text, size, ", or something else there that leaves the picture in one colour");
     else if (named->looks == NAMED_NO_EDGES)
         check_append(text, size, ", or something else there that leaves all of it lit, or all dark");
+    else if (named->looks == NAMED_NO_EFFECT)
+        check_append(text, size, ", or something else there that takes the effect away");
 }
 
 const char *wording_open(bool unsure) {
@@ -142,6 +144,9 @@ void wording_summary(LabResult *result, const char *mistake, const Suspects *sus
     if (result->fault.count > 0) {
         check_append(text, size, ": ");
         add_proof(text, size, &result->fault);
+    } else if (mistake && suspects->count > 0) {
+        check_append(text, size, ", ");
+        add_tasks(text, size, suspects, rubric);
     } else if (suspects->count > 0)
         check_append(text, size,
                      suspects->certain ? ": just the failed checks need %s" : ": the failed checks need %s",

@@ -191,12 +191,9 @@ static bool open_output(StudyPlan *plan, Output *output) {
 
 // Without an object that no scene has, the study would be the whole one.
 static bool has_left_out(const ChartCommand *command) {
-    static Scene scene;
     bool any = command->without == 0;
-    for (int i = 0; !any && study_scene(i); i++) {
-        study_scene(i)->make(&scene);
-        any = is_wanted(command, study_scene(i)) && command->without <= scene.object_count;
-    }
+    for (int i = 0; !any && study_scene(i); i++)
+        any = is_wanted(command, study_scene(i)) && command->without <= study_count_objects(study_scene(i));
     return any || check_fail("none of these scenes has an object %d; --list tells how many each has",
                              command->without - 1);
 }
@@ -246,11 +243,9 @@ static bool choose_jail(const ChartCommand *command, StudyPlan *plan, Jail *jail
 }
 
 static int list(void) {
-    for (int i = 0; study_scene(i); i++) {
-        Scene scene;
-        study_scene(i)->make(&scene);
-        printf("%s\t%d\t%s\n", study_scene(i)->name, scene.object_count, study_scene(i)->title);
-    }
+    for (int i = 0; study_scene(i); i++)
+        printf("%s\t%d\t%s\n", study_scene(i)->name, study_count_objects(study_scene(i)),
+               study_scene(i)->title);
     return 0;
 }
 

@@ -47,6 +47,12 @@ void study_settle(Scene *scene, const StudyScene *of) {
             study_tables[lab]->settle(scene, of->name);
 }
 
+int study_count_objects(const StudyScene *scene) {
+    static Scene made;
+    scene->make(&made);
+    return made.object_count;
+}
+
 void study_add_methods(MethodList *list, const StudyScene *scene) {
     list->count = 0;
     for (int lab = 0; study_tables[lab]; lab++)

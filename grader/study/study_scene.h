@@ -58,6 +58,9 @@ const StudyScene *study_scene_named(const char *name);
 // The contest of lab "14"; NULL with a message when it has none.
 const StudyContest *study_contest(const char *lab);
 
+// How many objects it has.
+int study_count_objects(const StudyScene *scene);
+
 // Makes the list that of all labs' settings in this scene.
 void study_add_methods(MethodList *list, const StudyScene *scene);
 

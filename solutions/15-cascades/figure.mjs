@@ -55,6 +55,6 @@ export const figure = {
     lambda: { label: "lambda", least: 0, most: 1, step: 0.05, value: 0.7 },
     k: { label: "tangent of the corner", least: 0.15, most: 0.45, step: 0.01, value: 0.3 },
   },
-  points: { far: { label: "far plane", at: [8, 0], box: [[2, 0], [8, 0]], step: 0.1 } },
+  points: { far: { label: "far plane", at: [7, 0], box: [[2, 0], [8, 0]], step: 0.1 } },
   draw, numbers,
 };
