@@ -98,14 +98,22 @@ static void look_blind(Standing *standing, const Arena *arena, WorkerClient *cli
         refuse(standing, "its shadows do not come from a map: they are there with an empty one, too");
 }
 
-// Counted by two workers: one compiles its shaders with the map and one without.
-static void compete(Standing *standing, const Arena *arena, WorkerClient *client) {
-    const int chosen = choose(standing, arena, client);
+// Ends the worker. False with a message when none could be started: then the hand-in is not to blame.
+static bool end(WorkerClient *client) {
+    const bool fault = client->fault;
     worker_client_stop(client);
     client->used_seconds = 0;
+    return !fault || check_fail("no process that draws can be started");
+}
+
+// Counted by two workers: one compiles its shaders with the map and one without.
+static bool compete(Standing *standing, const Arena *arena, WorkerClient *client) {
+    const int chosen = choose(standing, arena, client);
+    if (!end(client))
+        return false;
     if (chosen >= 0)
         look_blind(standing, arena, client, chosen);
-    worker_client_stop(client);
+    return end(client);
 }
 
 static bool take_and_compete(Standing *standing, const Arena *arena, Session *session, const char *folder) {
@@ -118,9 +126,7 @@ static bool take_and_compete(Standing *standing, const Arena *arena, Session *se
     if (ok && result.message[0])
         refuse(standing, result.message);
     else if (ok)
-        compete(standing, arena, &client);
-    if (ok && client.fault)
-        ok = check_fail("no process that draws can be started");
+        ok = compete(standing, arena, &client);
     if (client.folder[0])
         files_remove(client.folder);
     result_destroy_lab(&result);

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MAX_TRIES = 60 };
+enum { MAX_TRIES = 300 }; // a rounding that goes wrong (lab 07) shows in a third of them
 static const double MIN_MASK = 0.01;
 
 float exam_milliseconds(const Reply *reply) {

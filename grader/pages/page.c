@@ -10,8 +10,8 @@
 static const char shell[] = "grader/pages/shell.html",
                   script_policy[] = "script-src 'unsafe-inline'; img-src data:";
 
-static void write_escaped(FILE *out, const char *text) {
-    for (; *text; text++)
+static void write_escaped(FILE *out, const char *text, size_t length) {
+    for (const char *end = text + length; text < end; text++)
         switch (*text) {
         case '<':
             fputs("&lt;", out);
@@ -41,7 +41,7 @@ bool page_begin_shell(FILE *out, const char *title, const char *style) {
         if (strcmp(hole, "policy") == 0)
             fputs(script_policy, out);
         else if (strcmp(hole, "title") == 0)
-            write_escaped(out, title);
+            write_escaped(out, title, strlen(title));
         else if (strcmp(hole, "style") == 0)
             ok = template_copy(out, "grader/pages/base.css") && template_copy(out, style);
         else
@@ -93,7 +93,19 @@ char *page_end(Page *page) {
 }
 
 void page_text(Page *page, const char *text) {
-    write_escaped(page->out, text);
+    write_escaped(page->out, text, strlen(text));
+}
+
+void page_prose(Page *page, const char *text) {
+    const char *open, *close;
+    while ((open = strchr(text, '`')) && (close = strchr(open + 1, '`'))) {
+        write_escaped(page->out, text, (size_t)(open - text));
+        fputs("<code>", page->out);
+        write_escaped(page->out, open + 1, (size_t)(close - open - 1));
+        fputs("</code>", page->out);
+        text = close + 1;
+    }
+    page_text(page, text);
 }
 
 static void write_head(Page *page, const char *head) {

@@ -34,6 +34,9 @@ char *page_end(Page *page);
 // Writes text, escaped for element content and for attributes in double quotes.
 void page_text(Page *page, const char *text);
 
+// The same for a sentence: what stands between two backticks is shown as code.
+void page_prose(Page *page, const char *text);
+
 // Begins a table that can be scrolled by itself on a narrow screen. `label` says what it holds; `heads` are
 // the columns' heads, NULL after the last: with a '#' before it, that of a column of numbers; "": of none;
 // "#points" is marked as points. Rows follow, then page_end_table.

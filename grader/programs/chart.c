@@ -32,16 +32,9 @@ typedef struct ChartCommand {
     ContextKind context;
 } ChartCommand;
 
-static const StudyScene *find_scene(const char *name) {
-    for (int i = 0; study_scene(i); i++)
-        if (strcmp(study_scene(i)->name, name) == 0)
-            return study_scene(i);
-    return NULL;
-}
-
 static bool take_scene(void *target, const char *name) {
     ChartCommand *command = target;
-    if (!find_scene(name)) {
+    if (!study_scene_named(name)) {
         char names[1024] = "";
         for (int i = 0; study_scene(i); i++)
             check_append(names, sizeof names, " %s", study_scene(i)->name);

@@ -51,14 +51,6 @@ static bool write_index(const RecordArena *command, const StudyContest *contest,
     return ok || check_fail("%s cannot be written", path);
 }
 
-static const StudyScene *find_scene(const char *name) {
-    int i = 0;
-    while (study_scene(i) && strcmp(study_scene(i)->name, name) != 0)
-        i++;
-    INVARIANT(study_scene(i));
-    return study_scene(i);
-}
-
 // The settings of the lab in the study's scene; the first of them in `first`.
 static json_t *settings_of(const StudyContest *contest, const StudyScene *scene, Setting *first) {
     static MethodList list;
@@ -86,7 +78,8 @@ static bool record(const RecordArena *command) {
     const StudyContest *contest = study_contest(command->lab);
     if (!contest)
         return false;
-    StudyScene scene = *find_scene(contest->scene);
+    INVARIANT(study_scene_named(contest->scene));
+    StudyScene scene = *study_scene_named(contest->scene);
     scene.moves = false;
     scene.query.samples /= 4; // the mean of a picture is known well enough
     json_t *settings = settings_of(contest, &scene, &first);

@@ -18,15 +18,15 @@ static void write_check(Page *page, const CheckResult *check) {
             check->check->points);
     if (check->has_cause) {
         fputs("<strong>", page->out);
-        page_text(page, check->mistake);
+        page_prose(page, check->mistake);
         fputs("</strong>", page->out);
         if (check->seen[0]) {
             fputs("<p>", page->out);
-            page_text(page, check->seen);
+            page_prose(page, check->seen);
             fputs("</p>", page->out);
         }
         fputs("<p class=\"hint\">", page->out);
-        page_text(page, check->hint);
+        page_prose(page, check->hint);
         fputs("</p>", page->out);
     }
     fputs("</td></tr>\n", page->out);
@@ -53,7 +53,7 @@ static void write_prediction(Page *page, const PredictionResult *result, int n) 
     page_text(page, result->typed);
     fprintf(page->out, "</td>" PAGE_POINTS "<td class=\"number\">%d of %d</td>" PAGE_POINTS_END "<td>",
             result->right ? result->points : 0, result->points);
-    page_text(page, result->why);
+    page_prose(page, result->why);
     fputs("</td></tr>\n", page->out);
 }
 
@@ -65,7 +65,7 @@ static void write_predictions(Page *page, const LabResult *lab) {
         return;
     fprintf(page->out, "<h3>Predictions</h3>\n<p>" PAGE_POINTS "%d of %d points. " PAGE_POINTS_END,
             predictions_points(predictions), predictions_max_points(predictions));
-    page_text(page, predictions->message);
+    page_prose(page, predictions->message);
     fputs(" <span class=\"quiet\">A lab passes without them.</span></p>\n", page->out);
     if (!predictions->sheet)
         return;
@@ -140,7 +140,7 @@ static void write_lab(Page *page, const LabResult *lab) {
     fputs("</p>\n", page->out);
     if (lab->summary[0]) {
         fputs("<p><strong>", page->out);
-        page_text(page, lab->summary);
+        page_prose(page, lab->summary);
         fputs("</strong></p>\n", page->out);
     }
     write_words(page, "Message", lab->message);

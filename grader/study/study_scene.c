@@ -26,6 +26,13 @@ const StudyScene *study_scene(int i) {
     return NULL;
 }
 
+const StudyScene *study_scene_named(const char *name) {
+    for (int i = 0; study_scene(i); i++)
+        if (strcmp(study_scene(i)->name, name) == 0)
+            return study_scene(i);
+    return NULL;
+}
+
 const StudyContest *study_contest(const char *lab) {
     for (int i = 0; study_tables[i]; i++)
         if (study_tables[i]->contest.lab && strcmp(study_tables[i]->contest.lab, lab) == 0)

@@ -52,6 +52,9 @@ extern const LabStudy *const study_tables[]; // of all labs, in their order, the
 // Scene number i, in the order of the labs; NULL after the last.
 const StudyScene *study_scene(int i);
 
+// The scene of this name; NULL: there is none.
+const StudyScene *study_scene_named(const char *name);
+
 // The contest of lab "14"; NULL with a message when it has none.
 const StudyContest *study_contest(const char *lab);
 

@@ -192,17 +192,15 @@ static void tell_views(Line line, const SceneFindings *findings) {
 // The limits are for pictures of one size; the camera's angle is that of the picture's height.
 static void tell_size(Line line, const SceneFindings *findings) {
     const MetricsSize size = findings->size;
-    const bool larger = size.height<STUDY_HEIGHT, smaller = size.height> STUDY_HEIGHT;
-    if (larger || smaller || size.width != STUDY_WIDTH)
-        check_append(line.text, line.size, "; these are pictures of %d x %d, %s those of %d x %d%s",
-                     size.width, size.height,
-                     larger    ? "whose pixels are larger:"
-                     : smaller ? "whose pixels are smaller:"
-                               : "which do not show what is in",
-                     STUDY_WIDTH, STUDY_HEIGHT,
-                     larger    ? " may need more"
-                     : smaller ? " may do with less"
-                               : "");
+    const char *but = "which do not show what is in those", *then = "";
+    if (size.height < STUDY_HEIGHT)
+        but = "whose pixels are larger: those", then = " may need more";
+    else if (size.height > STUDY_HEIGHT)
+        but = "whose pixels are smaller: those", then = " may do with less";
+    else if (size.width == STUDY_WIDTH)
+        return;
+    check_append(line.text, line.size, "; these are pictures of %d x %d, %s of %d x %d%s", size.width,
+                 size.height, but, STUDY_WIDTH, STUDY_HEIGHT, then);
 }
 
 void findings_tell(const SceneFindings *findings, char *text, size_t size) {

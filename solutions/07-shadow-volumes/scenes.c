@@ -210,7 +210,7 @@ static void make_grazing(Scene *scene, Random *random) {
         float side = random_int(random, 0, 1) ? 1 : -1;
         vec3s edge = vec3_make(-2.7f + 0.6f * (float)i, 0, random_range(random, -1.8f, 1.8f));
         vec3s along = glms_vec3_normalize(vec3_make(edge.x - lamp.x, 0, edge.z - lamp.z));
-        vec3s half = vec3_make(random_range(random, 0.2f, 0.3f), random_range(random, 0.4f, 0.9f),
+        vec3s half = vec3_make(random_range(random, 0.2f, 0.3f), random_range(random, 0.7f, 1.2f),
                                random_range(random, 0.2f, 0.3f));
         float aside = side * (across ? half.z : half.x);
         vec3s center = glms_vec3_add(edge, vec3_make(along.z * aside, half.y, -along.x * aside));

@@ -36,8 +36,8 @@ const Prediction LAB_TABLE[] = {
      penumbra_width,
      0.02},
     {LAB_ID,
-     "A scene has {suns} suns, one lamp in its middle, and {wide} wide lights of {n} "
-     "x {n} small lamps each. How many layers of the array of maps are drawn?",
+     "A scene has one lamp in its middle. Suns: {suns}. Wide lights: {wide}, of {n} x "
+     "{n} small lamps each. How many layers of the array of maps are drawn?",
      "A sun has one map, a wide light one for each small lamp, and the lamp in the "
      "middle has its cube.",
      {{"suns", 1, 1, 3}, {"wide", 1, 1, 4}, {"n", 2, 1, 2}},

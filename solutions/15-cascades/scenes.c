@@ -16,7 +16,8 @@ static vec3s place(const Stand *stand, float aside, float height, float ahead) {
     return glms_mat4_mulv3(turned, vec3_make(aside, height, -ahead), 1);
 }
 
-// A floor up to the horizon; the camera is low and looks along it, or high and looks down.
+// A floor up to the horizon, whose normal is not of length 1; the camera is low and looks along it, or high
+// and looks down.
 static Stand begin(Scene *scene, Random *random) {
     part_begin(scene, random);
     bool high = random_int(random, 0, 2) == 0;
@@ -28,7 +29,8 @@ static Stand begin(Scene *scene, Random *random) {
     scene->camera.fov_y = glm_rad(random_range(random, 42, 56));
     scene->camera.near_plane = random_range(random, 0.6f, 1.2f);
     scene->camera.far_plane = random_range(random, 40, 60);
-    part_floor(scene, 80, random);
+    Object *floor = part_floor(scene, 80, random);
+    floor->world_from_object = glms_scale(floor->world_from_object, vec3_make(1, 0.6f, 1));
     return stand;
 }
 

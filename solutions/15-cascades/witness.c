@@ -1,5 +1,6 @@
 // Lab 15's slices against a search for the smallest sphere, and its shadows against segments to the sun, to
 // the texel of each slice.
+#include "predict/prediction.h"
 #include "tests/helpers/witness.h"
 
 #include <setjmp.h>
@@ -41,7 +42,21 @@ static double reach(double at, double begin, double end, double k) {
     return fmax(hypot(at - begin, begin * k), hypot(at - end, end * k));
 }
 
-// By Zhang et al. 2006, and the smallest sphere by a search on the axis.
+// The smallest sphere by a search on the axis.
+static void find_smallest(Part *part, double k) {
+    double low = 0, high = 2 * part->end;
+    for (int step = 0; step < 100; step++) {
+        double a = low + (high - low) / 3, b = high - (high - low) / 3;
+        if (reach(a, part->begin, part->end, k) < reach(b, part->begin, part->end, k))
+            high = b;
+        else
+            low = a;
+    }
+    part->centre = (low + high) / 2;
+    part->radius = reach(part->centre, part->begin, part->end, k);
+}
+
+// By Zhang et al. 2006.
 static Part part_of(const Scene *scene, double aspect, double lambda, int i) {
     const double k = tan((double)scene->camera.fov_y / 2) * hypot(1, aspect);
     double borders[SLICES + 1];
@@ -52,16 +67,7 @@ static Part part_of(const Scene *scene, double aspect, double lambda, int i) {
     }
     Part part = {.begin = borders[i] - (i > 0 ? blend * (borders[i] - borders[i - 1]) : 0),
                  .end = borders[i + 1]};
-    double low = 0, high = 2 * part.end;
-    for (int step = 0; step < 100; step++) {
-        double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        if (reach(a, part.begin, part.end, k) < reach(b, part.begin, part.end, k))
-            high = b;
-        else
-            low = a;
-    }
-    part.centre = (low + high) / 2;
-    part.radius = reach(part.centre, part.begin, part.end, k);
+    find_smallest(&part, k);
     return part;
 }
 
@@ -154,7 +160,23 @@ static void test_shadows(void **unused) {
     }
 }
 
+// What students predict: a texel against the search, narrow views and wide ones; a border against the mean of
+// both planes, which is the geometric one for lambda = 1, and the arithmetic one for 0.
+static void test_predictions(void **unused) {
+    (void)unused;
+    for (double k = 0.4; k < 1.3; k += 0.1) {
+        Part part = {.begin = 2, .end = 8};
+        find_smallest(&part, k);
+        const double given[] = {part.begin, part.end - part.begin, k, 256};
+        assert_true(fabs(prediction_answer(LAB_ID, 1, given) - 2 * part.radius / 254) < 1e-9);
+    }
+    assert_true(fabs(prediction_answer(LAB_ID, 0, (const double[]){0.5, 32, 1, 2}) - 4) < 1e-12);
+    assert_true(fabs(prediction_answer(LAB_ID, 0, (const double[]){0.5, 32, 0, 2}) - 16.25) < 1e-12);
+    assert_true(fabs(prediction_answer(LAB_ID, 0, (const double[]){0.5, 32, 0.25, 2}) - 13.1875) < 1e-12);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_spheres), cmocka_unit_test(test_shadows)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_spheres), cmocka_unit_test(test_shadows),
+                                       cmocka_unit_test(test_predictions)};
     return cmocka_run_group_tests_name("witness " LAB_ID, tests, NULL, NULL);
 }

@@ -58,8 +58,12 @@ static void test_need(void **unused) {
     expect_told(&findings, "narrower or wider ask for the same", true);
     expect_told(&findings, "one view alone", false);
     expect_told(&findings, "may need more", false);
-    findings.size.width /= 2;
-    expect_told(&findings, "320 x 480, whose pixels are larger: those of 640 x 480 may need more", true);
+    findings.size.width /= 2; // the camera's angle is that of the height: the pixels stay
+    expect_told(&findings, "320 x 480, which do not show what is in those of 640 x 480", true);
+    findings.size.height /= 2;
+    expect_told(&findings, "320 x 240, whose pixels are larger: those of 640 x 480 may need more", true);
+    findings.size.height *= 4;
+    expect_told(&findings, "320 x 960, whose pixels are smaller: those of 640 x 480 may do with less", true);
     findings.count = 2;
     findings_judge(&findings);
     expect_told(&findings, "none of these settings is enough in all 6 views", true);

@@ -139,12 +139,13 @@ for script in "$scripts"/*; do
     [[ -f $script && -x $script ]] || continue
     helps "$name" "$script"
     [[ $name == @(publish_chart|bench_class) ]] || refuses "$name --frobnicate" "--frobnicate" "$script" --frobnicate
-    [[ $name == @(publish_chart|bench_class|contexts|floors|named_files) ]] || refuses "$name: too many" "one operand too many" "$script" 3 b c d
+    [[ $name == @(publish_chart|bench_class|contexts|floors|named_files|table) ]] || refuses "$name: too many" "one operand too many" "$script" 3 b c d
 done
 helps setup "$root/common/setup"
 refuses "setup --frobnicate" "usage: common/setup" "$root/common/setup" --frobnicate
 refuses "publish_chart --frobnicate" "--frobnicate: unknown option" "$scripts/publish_chart" "$bin" --frobnicate
 refuses "bench_class --frobnicate" "unrecognized arguments: --frobnicate" "$scripts/bench_class" "$bin" --frobnicate
+refuses "table: no table" '"b" is no table: scenes, rubrics or mutants' "$scripts/table" 3 b
 refuses "floors: an operand" "unrecognized arguments: up" "$scripts/floors" up
 refuses "bench_class: no lab" 'there is no lab "7x"' "$scripts/bench_class" "$bin" --labs 7x
 refuses "bench_class: no count" "no list of counts" "$scripts/bench_class" "$bin" --counts many
