@@ -164,7 +164,8 @@ static void test_shadows(void **unused) {
 // both planes, which is the geometric one for lambda = 1, and the arithmetic one for 0.
 static void test_predictions(void **unused) {
     (void)unused;
-    for (double k = 0.4; k < 1.3; k += 0.1) {
+    for (int tenths = 4; tenths <= 12; tenths++) {
+        const double k = tenths / 10.0;
         Part part = {.begin = 2, .end = 8};
         find_smallest(&part, k);
         const double given[] = {part.begin, part.end - part.begin, k, 256};
