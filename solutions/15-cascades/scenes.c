@@ -5,15 +5,22 @@
 enum { CASTERS = 5, SLABS = 4, PLATES = 3 };
 #define NEAREST 1.7F // where the floor is seen: eye heights before the eye
 
-// How the camera stands: its height, and the turn about +y (degrees) of where it looks.
+enum { GROUND = 12 };
+
+// How the camera stands: its height over the floor, and the turn about +y (degrees) of where it looks.
 typedef struct Stand {
     float height, turn;
 } Stand;
 
+// The floor lies far above or far below the world's origin, so that a map around the origin holds none of it.
+static float ground(const Stand *stand) {
+    return stand->turn > 0 ? GROUND : -GROUND;
+}
+
 // A place `ahead` of the camera's foot and `aside` to its right.
 static vec3s place(const Stand *stand, float aside, float height, float ahead) {
     mat4s turned = glms_rotate_make(glm_rad(stand->turn), vec3_make(0, 1, 0));
-    return glms_mat4_mulv3(turned, vec3_make(aside, height, -ahead), 1);
+    return glms_mat4_mulv3(turned, vec3_make(aside, height + ground(stand), -ahead), 1);
 }
 
 // A floor up to the horizon, whose normal is not of length 1; the camera is low and looks along it, or high
@@ -30,17 +37,18 @@ static Stand begin(Scene *scene, Random *random) {
     scene->camera.near_plane = random_range(random, 0.6f, 1.2f);
     scene->camera.far_plane = random_range(random, 40, 60);
     Object *floor = part_floor(scene, 80, random);
-    floor->world_from_object = glms_scale(floor->world_from_object, vec3_make(1, 0.6f, 1));
+    floor->world_from_object = glms_scale(
+        glms_translate(floor->world_from_object, vec3_make(0, ground(&stand), 0)), vec3_make(1, 0.6f, 1));
     return stand;
 }
 
 // From anywhere, at times straight above.
-static Light *add_sun(Scene *scene, Random *random, float lowest, float highest) {
-    vec3s target = vec3_make(random_range(random, -3, 3), 0, random_range(random, -3, 3));
+static Light *add_sun(Scene *scene, const Stand *stand, Random *random, float lowest, float highest) {
+    vec3s target = vec3_make(random_range(random, -3, 3), ground(stand), random_range(random, -3, 3));
     float azimuth = random_range(random, 0, 360), elevation = random_range(random, lowest, highest);
     vec3s above = part_orbit(target, azimuth, elevation, 12);
     if (random_int(random, 1, 5) == 1)
-        above = vec3_make(target.x, 12, target.z);
+        above = vec3_make(target.x, target.y + 12, target.z);
     return part_light(scene, LIGHT_DIRECTIONAL, above, target);
 }
 
@@ -64,7 +72,7 @@ static void make_floor(Scene *scene, Random *random) {
             part_object(scene, SHAPE_BOX, place(&stand, aside, high, ahead), vec3_make(wide, high, wide),
                         random_range(random, 0, 90), part_color(random));
     }
-    add_sun(scene, random, 30, 60);
+    add_sun(scene, &stand, random, 30, 60);
 }
 
 // Slabs over the floor, and the sun so high that all of the floor is in the spheres' depths, or behind them.
@@ -78,13 +86,13 @@ static void make_noon(Scene *scene, Random *random) {
                     place(&stand, side * ahead * random_range(random, 0.08f, 0.16f), high, ahead),
                     vec3_make(half, 0.01f * ahead, half), random_range(random, 0, 90), part_color(random));
     }
-    add_sun(scene, random, 74, 85);
+    add_sun(scene, &stand, random, 74, 85);
 }
 
 // Plates so far towards the sun that they are outside of the spheres of the slices that they darken.
 static void make_plates(Scene *scene, Random *random) {
     Stand stand = begin(scene, random);
-    const Light *sun = add_sun(scene, random, 45, 70);
+    const Light *sun = add_sun(scene, &stand, random, 45, 70);
     vec3s to_sun = glms_vec3_normalize(glms_vec3_sub(sun->position, sun->target));
     for (int i = 0; i < PLATES; i++) {
         float ahead = distance_of(scene, &stand, i, PLATES + 1), side = i % 2 ? 1 : -1;
