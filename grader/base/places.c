@@ -51,6 +51,11 @@ bool places_find_lab_in(char path[FILES_PATH], const char *parent, const char *i
     return files_list(parent, match, &search) && search.found;
 }
 
+void places_lab_of(char path[FILES_PATH], const char *parent, const char *id) {
+    if (!places_find_lab_in(path, parent, id))
+        files_join(path, parent, ".");
+}
+
 // Where the labs' rubrics lie.
 static void labs_folder(char path[FILES_PATH]) {
     places_path(path, "solutions");

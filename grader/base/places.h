@@ -18,6 +18,9 @@ bool places_find_lab(char path[FILES_PATH], const char *id);
 // The same inside another folder that is shaped like labs/.
 bool places_find_lab_in(char path[FILES_PATH], const char *parent, const char *id);
 
+// The same, or where there is none, `parent` itself: people name labs/ as well as the folder of one lab.
+void places_lab_of(char path[FILES_PATH], const char *parent, const char *id);
+
 // Calls visit with the id ("02") of each lab of ours, in order. False with a message when two folders
 // have one number.
 bool places_list_labs(void (*visit)(const char *id, void *context), void *context);

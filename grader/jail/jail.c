@@ -17,9 +17,10 @@ const char *jail_route_name(JailRoute route) {
     return route_names[route];
 }
 
-bool jail_parse_route(JailRoute *route, const char *name) {
-    for (*route = JAIL_BWRAP; *route <= JAIL_LANDLOCK; (*route)++)
-        if (strcmp(name, route_names[*route]) == 0)
+bool jail_take_route(void *route, const char *name) {
+    JailRoute *taken = route;
+    for (*taken = JAIL_BWRAP; *taken <= JAIL_LANDLOCK; (*taken)++)
+        if (strcmp(name, route_names[*taken]) == 0)
             return true;
     return check_fail("takes bwrap or landlock, not \"%s\"", name);
 }

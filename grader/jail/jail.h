@@ -14,8 +14,9 @@
 // "bwrap", "landlock" or "none".
 const char *jail_route_name(JailRoute route);
 
-// False with a message for an option ("takes ...") when `name` is neither "bwrap" nor "landlock".
-bool jail_parse_route(JailRoute *route, const char *name);
+// An option's value (base/command_line.h): `route` is a JailRoute. False with a message when `name` is
+// neither "bwrap" nor "landlock".
+bool jail_take_route(void *route, const char *name);
 
 void jail_destroy(Jail *jail); // accepts a zeroed jail
 

@@ -2,6 +2,7 @@
 #include "predict/prediction_file.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -37,7 +38,7 @@ static size_t length_at(const char *const *texts, size_t count, const char *at, 
 }
 
 static size_t gap_at(const char *at, const char *end) {
-    return length_at(spaces, sizeof spaces / sizeof spaces[0], at, end);
+    return length_at(spaces, COUNT(spaces), at, end);
 }
 
 static const char *after_gaps(const char *at, const char *end) {
@@ -58,7 +59,7 @@ static const char *last_of(const char *at, const char *end) {
 static void copy(char *to, size_t size, const char *from, size_t length) {
     size_t n = 0;
     for (const char *end = from + length; from < end && n + 1 < size; from++) {
-        const size_t dash = length_at(dashes, sizeof dashes / sizeof dashes[0], from, end);
+        const size_t dash = length_at(dashes, COUNT(dashes), from, end);
         if (dash > 0)
             to[n++] = '-';
         else if (((unsigned char)*from & 0xc0) != 0x80)

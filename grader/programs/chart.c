@@ -203,8 +203,7 @@ static bool has_submission(const ChartCommand *command) {
     char folder[FILES_PATH], path[FILES_PATH];
     if (!command->submission)
         return true;
-    if (!places_find_lab_in(folder, command->submission, command->lab))
-        files_join(folder, command->submission, "");
+    places_lab_of(folder, command->submission, command->lab);
     files_join(path, folder, "lab.c");
     return files_exists(path) || check_fail("there is no lab %s in %s: no lab.c in it or in %s-*/",
                                             command->lab, command->submission, command->lab);

@@ -36,10 +36,6 @@ typedef struct Contest {
     int count;
 } Contest;
 
-static bool take_route(void *target, const char *text) {
-    return jail_parse_route(target, text);
-}
-
 #define AT(field) offsetof(Compete, field)
 static const Option options[] = {
     {"lab", 0, "NN", "the lab", AT(lab), option_lab},
@@ -52,7 +48,7 @@ static const Option options[] = {
      option_text},
     {"context", 0, "C", "osmesa or egl (default: the first that is here)", AT(context), option_context},
     {"jail", 0, "ROUTE", "bwrap or landlock: only this jail (default: the first that holds)", AT(route),
-     take_route},
+     jail_take_route},
     {"trusted", 0, NULL, "no jail: the submission is my own work", AT(trusted), option_flag},
     {0}};
 #undef AT

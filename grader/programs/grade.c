@@ -45,10 +45,6 @@ static bool take_timeout(void *target, const char *text) {
     return class->timed = option_seconds(&class->seconds, text);
 }
 
-static bool take_route(void *target, const char *text) {
-    return jail_parse_route(target, text);
-}
-
 static bool take_format(void *target, const char *text) {
     return report_parse_format(target, text) ||
            check_fail("takes text, json, html, gradescope or check50, not \"%s\"", text);
@@ -77,7 +73,7 @@ static const Option options[] = {
     {"record", 0, NULL, "note the points in the progress (see progress.h)", AT(record), option_flag},
     {"timeout", 0, "S", "seconds that a submission may run per lab (default 20)", AT(class), take_timeout},
     {"jail", 0, "ROUTE", "bwrap or landlock: only this jail (default: the first that holds)", AT(class.route),
-     take_route},
+     jail_take_route},
     {"trusted", 0, NULL, "no jail: the submission is my own work", AT(trusted), option_flag},
     {"no-swap", 0, NULL, "do not look for the fault by putting our functions into the submission",
      AT(class.no_swap), option_flag},

@@ -88,8 +88,7 @@ static bool measure_scene(Points *points, int i) {
 }
 
 static bool find(char path[FILES_PATH], const char *labs, const char *id) {
-    if (!places_find_lab_in(path, labs, id))
-        files_join(path, labs, ".");
+    places_lab_of(path, labs, id);
     return files_exists(path) || check_fail("there is no lab %s in %s", id, labs);
 }
 

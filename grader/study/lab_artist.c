@@ -58,8 +58,7 @@ bool lab_artist_open_submission(LabArtist *artist, const char *id, const char *s
     char folder[FILES_PATH];
     if (!load(artist, id))
         return false;
-    if (!places_find_lab_in(folder, submission, id))
-        files_join(folder, submission, ".");
+    places_lab_of(folder, submission, id);
     artist->client = (WorkerClient){.trust = TRUST_NOBODY,
                                     .jail = jail,
                                     .context = context,

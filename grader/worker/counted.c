@@ -176,12 +176,11 @@ static void clear_counters(void) {
 }
 
 void counted_begin(void) {
-    char why[sizeof counted.counts.uncounted];
+    FrameCounts *counts = &counted.counts;
     if (!counted_is_on())
         return;
-    memcpy(why, counted.counts.uncounted, sizeof why); // a shader was refused: so are all frames
-    counted.counts = (FrameCounts){.counted = counted.kind};
-    memcpy(counted.counts.uncounted, why, sizeof why);
+    counts->counted = counted.kind; // what is uncounted stays: of a shader that was refused are all frames
+    counts->taps = counts->fragments = counts->texels = 0;
     clear_counters();
 }
 

@@ -278,7 +278,7 @@ int main(int count, char **arguments) {
     bool outside = count == 2 && strcmp(arguments[1], "outside") == 0;
     signal(SIGPIPE, SIG_IGN);
     suite.nursery = count == 2 && strcmp(arguments[1], "nursery") == 0;
-    bool ok = count == 2 && (outside || suite.nursery || jail_parse_route(&route, arguments[1])) &&
+    bool ok = count == 2 && (outside || suite.nursery || jail_take_route(&route, arguments[1])) &&
               prepare() && (outside || jail_create(&jail, route));
     suite.jail = outside ? NULL : &jail;
     ok = ok && files_list(suite.parts, run_case, NULL);
