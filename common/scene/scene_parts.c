@@ -1,12 +1,14 @@
 #include "scene/scene_parts.h"
 
 #include "scene/check.h"
+#include "scene/palette.h"
 
 #include <string.h>
 
 vec3s part_color(Random *random) {
-    return vec3_make(random_range(random, 0.35f, 0.95f), random_range(random, 0.35f, 0.95f),
-                     random_range(random, 0.35f, 0.95f));
+    return vec3_make(random_range(random, PALETTE_DARKEST, 0.95f),
+                     random_range(random, PALETTE_DARKEST, 0.95f),
+                     random_range(random, PALETTE_DARKEST, 0.95f));
 }
 
 vec3s part_orbit(vec3s target, float azimuth, float elevation, float distance) {

@@ -13,7 +13,8 @@ typedef struct SceneMaker {
 // the name LAB_TABLE; build.mk gives each file a name of its own for it and makes this list.
 extern const SceneMaker *const scenes_tables[];
 
-// Neither black nor white.
+// A colour for one object, or for several that shall look alike: scene_make gives them one of the palette for
+// it. Neither black nor white.
 vec3s part_color(Random *random);
 
 // A point at `distance` from `target`: azimuth about +y from +z, elevation above the horizon, in degrees.

@@ -1,6 +1,7 @@
 // Scenes. Each holds only what shows its phenomenon; what varies is drawn from a seed, so that a picture of
 // one variant is worth nothing in another.
 #include "scene/check.h"
+#include "scene/palette.h"
 #include "scene/scene_parts.h"
 
 #include <string.h>
@@ -23,6 +24,7 @@ bool scene_make(Scene *scene, const char *name, Random *random) {
     for (int i = 0; find(i); i++) {
         if (strcmp(find(i)->name, name) == 0) {
             find(i)->make(scene, random);
+            palette_vary(scene, &(Random){~random->state}); // takes nothing from what is drawn after it
             return medium_check(&scene->medium) && scene_check(scene);
         }
         check_append(names, sizeof names, "%s\"%s\"", i ? ", " : "", find(i)->name);

@@ -1,9 +1,9 @@
 // frame: draws one frame of one of our labs to a PNG; the pictures of the handouts are made with it.
 #include "scene/check.h"
+#include "scene/palette.h"
 #include "compile/rubric_file.h"
 #include "compile/lab_folder.h"
 #include "exam/exam.h"
-#include "pages/picture_colors.h"
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
@@ -150,7 +150,7 @@ static bool make_scene(FrameCommand *command) {
     Random random = {command->seed};
     const bool ok = scene_make(&command->request.scene, command->scene, &random);
     if (ok && command->quiet)
-        picture_colors_apply(&command->request.scene);
+        palette_apply(&command->request.scene);
     return ok;
 }
 

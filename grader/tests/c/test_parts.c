@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/process.h"
 #include "scene/count.h"
+#include "scene/palette.h"
 #include "scene/random.h"
 #include "scene/scene.h"
 #include "scene/shader_source.h"
@@ -73,6 +74,47 @@ static void test_scenes(void **unused) {
     check_clear();
     assert_false(scene_make(&scene, "no such scene", &(Random){1}));
     assert_non_null(strstr(check_message(), "\"table spot\""));
+}
+
+static float apart(vec3s a, vec3s b) {
+    return glms_vec3_max(glms_vec3_abs(glms_vec3_sub(a, b)));
+}
+
+static bool is_own(vec3s color) {
+    return glms_vec3_max(color) < PALETTE_DARKEST;
+}
+
+// Two objects look alike on purpose, or a wrong one in front is seen; six clear colours follow each other.
+static void assert_told_apart(const Scene *scene, const char *name, unsigned seed) {
+    for (int i = 0; i < scene->object_count; i++)
+        for (int j = i + 1; j < scene->object_count && j < i + 6; j++) {
+            vec3s a = scene->objects[i].color, b = scene->objects[j].color;
+            if (!glms_vec3_eqv(a, b) && !(is_own(a) && is_own(b)) && apart(a, b) < 0.06f)
+                fail_msg("%s, seed %u: objects %d and %d look alike", name, seed, i, j);
+        }
+}
+
+static void test_palette(void **unused) {
+    (void)unused;
+    Scene scene;
+    int repeated = 0;
+    vec3s last = {0};
+    for (unsigned seed = 1; seed <= 20; seed++) {
+        for (int i = 0; scene_name(i); i++) {
+            assert_true(scene_make(&scene, scene_name(i), &(Random){seed}));
+            assert_told_apart(&scene, scene_name(i), seed);
+        }
+        assert_true(scene_make(&scene, "table spot", &(Random){seed}));
+        repeated += apart(scene.objects[1].color, last) < 0.01f;
+        last = scene.objects[1].color;
+    }
+    assert_true(repeated <= 5); // one of six colours, seldom as bright
+    assert_true(scene_make(&scene, "dust gate", &(Random){1}) && is_own(scene.objects[0].color));
+    palette_apply(&scene);
+    assert_false(is_own(scene.objects[0].color));
+    const Scene quiet = scene;
+    palette_apply(&scene);
+    assert_memory_equal(&scene, &quiet, sizeof quiet);
 }
 
 static void write_file(const char *folder, const char *name, const char *text) {
@@ -204,10 +246,10 @@ static void test_scene_check(void **unused) {
 
 int main(void) {
     signal(SIGPIPE, SIG_IGN);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scene_check), cmocka_unit_test(test_precompiled),
-        cmocka_unit_test(test_random),      cmocka_unit_test(test_meshes),
-        cmocka_unit_test(test_scenes),      cmocka_unit_test(test_processes),
-        cmocka_unit_test(test_memory),      cmocka_unit_test(test_shader_files)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_scene_check), cmocka_unit_test(test_precompiled),
+                                       cmocka_unit_test(test_random),      cmocka_unit_test(test_meshes),
+                                       cmocka_unit_test(test_scenes),      cmocka_unit_test(test_palette),
+                                       cmocka_unit_test(test_processes),   cmocka_unit_test(test_memory),
+                                       cmocka_unit_test(test_shader_files)};
     return cmocka_run_group_tests_name("parts", tests, NULL, NULL);
 }
