@@ -110,7 +110,7 @@ static bool used_up_its_time(const WorkerClient *client) {
     const Process *process = &client->process;
     int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
     return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
-           (number == SIGKILL && !client->each_turn &&
+           (number == SIGKILL && client->trust == TRUST_NOBODY && !client->each_turn &&
             process->cpu_seconds >= client->seconds - client->used_seconds);
 }
 
@@ -185,11 +185,26 @@ static void note_crash(WorkerClient *client, const Request *request) {
     }
 }
 
+// The first four bytes say whether the rest is what we take it for.
+static bool hear_greeting(WorkerClient *client, Reply *reply) {
+    const size_t first = sizeof reply->magic;
+    Process *process = &client->process;
+    if (!process_exchange(process, NULL, 0, reply, first))
+        return false;
+    if (reply->magic != PROTOCOL_READY && reply->magic != PROTOCOL_CRASHED) {
+        worker_client_stop(client);
+        snprintf(reply->message, sizeof reply->message,
+                 "the worker is of another build than this program: run make, and start it again");
+        return false;
+    }
+    return process_exchange(process, NULL, 0, (char *)reply + first, sizeof *reply - first) &&
+           reply->magic == PROTOCOL_READY && reply->drawn;
+}
+
 static bool is_ready(WorkerClient *client, Reply *reply) {
     if (!client->started && !worker_client_start(client))
         return false;
-    client->greeted = client->greeted || (process_exchange(&client->process, NULL, 0, reply, sizeof *reply) &&
-                                          reply->magic == PROTOCOL_MAGIC && reply->drawn);
+    client->greeted = client->greeted || hear_greeting(client, reply);
     return client->greeted;
 }
 
