@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "base/context_choice.h"
 #include "compile/compiler.h"
+#include "exam/greeting.h"
 #include "exam/nursery_client.h"
 #include "protocol/description.h"
 #include "base/places.h"
@@ -185,26 +186,10 @@ static void note_crash(WorkerClient *client, const Request *request) {
     }
 }
 
-// The first four bytes say whether the rest is what we take it for.
-static bool hear_greeting(WorkerClient *client, Reply *reply) {
-    const size_t first = sizeof reply->magic;
-    Process *process = &client->process;
-    if (!process_exchange(process, NULL, 0, reply, first))
-        return false;
-    if (reply->magic != PROTOCOL_READY && reply->magic != PROTOCOL_CRASHED) {
-        worker_client_stop(client);
-        snprintf(reply->message, sizeof reply->message,
-                 "the worker is of another build than this program: run make, and start it again");
-        return false;
-    }
-    return process_exchange(process, NULL, 0, (char *)reply + first, sizeof *reply - first) &&
-           reply->magic == PROTOCOL_READY && reply->drawn;
-}
-
 static bool is_ready(WorkerClient *client, Reply *reply) {
     if (!client->started && !worker_client_start(client))
         return false;
-    client->greeted = client->greeted || hear_greeting(client, reply);
+    client->greeted = client->greeted || greeting_hear(&client->process, reply);
     return client->greeted;
 }
 

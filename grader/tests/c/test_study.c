@@ -267,10 +267,10 @@ static void test_compare(void **unused) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_median),          cmocka_unit_test(test_front),
-        cmocka_unit_test(test_edge_length),     cmocka_unit_test(test_edge_angles),
-        cmocka_unit_test(test_edge_error),      cmocka_unit_test(test_map_side),       cmocka_unit_test(test_state),
-        cmocka_unit_test(test_truth_noise),     cmocka_unit_test(test_compare),
-        cmocka_unit_test(test_closed_receivers)};
+        cmocka_unit_test(test_median),      cmocka_unit_test(test_front),
+        cmocka_unit_test(test_edge_length), cmocka_unit_test(test_edge_angles),
+        cmocka_unit_test(test_edge_error),  cmocka_unit_test(test_map_side),
+        cmocka_unit_test(test_state),       cmocka_unit_test(test_truth_noise),
+        cmocka_unit_test(test_compare),     cmocka_unit_test(test_closed_receivers)};
     return cmocka_run_group_tests_name("study", tests, NULL, NULL);
 }
