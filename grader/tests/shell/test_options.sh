@@ -125,7 +125,7 @@ cmp -s "$work/3.png" "$work/03.png" && ok || bad "frame --lab 3"
 # Whose process that draws is killed says so, wherever it was.
 "$bin/record_exams" --lab 03 "$work/killed" 1 >"$work/out" 2>&1 &
 recording=$!
-for ((i = 0; i < 200; i++)); do pkill -KILL -P $recording -x 'worker|worker_address' && break; sleep 0.05; done
+for ((i = 0; i < 200; i++)); do pkill -KILL -P $recording -x worker && break; sleep 0.05; done
 status=0; wait $recording || status=$?
 [[ $status == 3 && $(cat "$work/out") == "record_exams: "*"lab"*03* && $(cat "$work/out") != *"endless loop"* ]] && ok || bad "record_exams, killed" "$status $(cat "$work/out")"
 # A fine picture is the mean of a large one, by another program; quiet colours change nothing else of the scene.
