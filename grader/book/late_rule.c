@@ -1,3 +1,5 @@
+// Reads the rule, and refuses what nobody can have meant: dates that are none, labs that there are not,
+// shares for percents.
 #include "book/late_rule.h"
 
 #include "base/files.h"
