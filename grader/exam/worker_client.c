@@ -111,7 +111,7 @@ static bool used_up_its_time(const WorkerClient *client) {
     const Process *process = &client->process;
     int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
     return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
-           (number == SIGKILL && client->trust == TRUST_NOBODY && !client->each_turn &&
+           (number == SIGKILL && !client->each_turn && client->seconds > 0 &&
             process->cpu_seconds >= client->seconds - client->used_seconds);
 }
 

@@ -4,7 +4,6 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "base/temporary.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "study/chart_svg.h"
@@ -14,7 +13,6 @@
 #include "study/chart_page.h"
 #include "study/verdict.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -270,8 +268,6 @@ int main(int count, char **arguments) {
         return list();
     ContextKind drawing = command.context; // CONTEXT_ANY stays: only who asks for EGL gets a GPU's times
     command_line_settle_context(&command_line, &drawing);
-    signal(SIGPIPE, SIG_IGN);
-    temporary_on_signals();
     char standard[FILES_PATH];
     places_build_path(standard, "study");
     plan.output = command.output ? command.output : standard;

@@ -12,7 +12,6 @@
 #include "watch/terminal.h"
 #include "watch/viewer.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -279,7 +278,6 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, &command, count, arguments);
     if (!command.list && !command.answer && !command.begin_again)
         command_line_settle_context(&command_line, &command.grading.context);
-    signal(SIGPIPE, SIG_IGN);
     if (!lab_board_create(&watch.board, command.folder, command.lab[0] ? command.lab : NULL)) {
         fprintf(stderr, "watch: %s\n", check_message());
         lab_board_destroy(&watch.board);
