@@ -93,6 +93,17 @@ static bool shows_no_effect(const LabResult *result, Exam *exam, int c) {
     return false;
 }
 
+// Did all checks of the task pass? As they all fail before it is done, its answer stands somewhere.
+static bool is_shown(const LabResult *result, const Rubric *rubric, int t) {
+    int own = 0, passed = 0;
+    for (int c = 0; c < result->check_count; c++) {
+        const bool is_own = rubric_task_index(rubric, result->checks[c].check->task) == t;
+        own += is_own;
+        passed += is_own && result->checks[c].passed;
+    }
+    return own > 0 && passed == own;
+}
+
 void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, const char *folder) {
     const Rubric *rubric = exam->rubric;
     *tasks = (OpenTasks){0};
@@ -104,8 +115,10 @@ void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, cons
             find_in(tasks, rubric, i, text);
         free(text);
     }
-    for (int t = 0; t < EXAM_MAX_TASKS; t++)
+    for (int t = 0; t < EXAM_MAX_TASKS; t++) {
+        tasks->open[t] = tasks->open[t] && !is_shown(result, rubric, t);
         tasks->unsure[t] = tasks->unsure[t] && !tasks->open[t];
+    }
     for (int c = 0; c < result->check_count; c++) {
         const int t = rubric_task_index(rubric, result->checks[c].check->task);
         if (t >= 0 && tasks->unsure[t] && !result->checks[c].passed)

@@ -113,11 +113,46 @@ static bool same_begin(const char *a, const char *b) {
     return true;
 }
 
+static bool is_empty(Span piece) {
+    return count_words(piece, 1) == 0;
+}
+
+// Nothing stands between the mark and those below it; was code put in below the last of them?
+static bool written_below_next(const char *at, Span theirs, const char *our_at, Span ours) {
+    while (at && our_at && is_empty(after(at, theirs)) && is_empty(after(our_at, ours))) {
+        at = next_todo(at, theirs);
+        our_at = next_todo(our_at, ours);
+        if (!same_mark(at, our_at))
+            return false;
+    }
+    return at && our_at && !same(after(at, theirs), after(our_at, ours));
+}
+
+// The last words of the piece, of which there may be fewer.
+static Span end_of(Span piece) {
+    const char *begins[BEGIN_WORDS] = {piece.begin, piece.begin, piece.begin};
+    for (const char *at = piece.begin;;) {
+        const Token token = tokens_next(&at);
+        if (token.kind == TOKEN_END || token.text >= piece.end)
+            return (Span){begins[0], piece.end};
+        memmove(begins, begins + 1, (BEGIN_WORDS - 1) * sizeof *begins);
+        begins[BEGIN_WORDS - 1] = token.text;
+    }
+}
+
+// Do other words stand right above the mark than those that were handed out there?
+static bool written_right_above(const char *at, Span theirs, const char *our_at, Span ours) {
+    const Span piece = before(our_at, ours);
+    return !is_empty(piece) && !same(end_of(before(at, theirs)), end_of(piece));
+}
+
 static TaskText compare_at(const char *at, Span theirs, const char *our_at, Span ours) {
     if (written_above(theirs, ours))
         return same(before(at, theirs), before(our_at, ours)) ? TASK_TEXT_HANDED_OUT : TASK_TEXT_WRITTEN;
     if (same(after(at, theirs), after(our_at, ours)))
-        return TASK_TEXT_HANDED_OUT;
+        return written_below_next(at, theirs, our_at, ours) || written_right_above(at, theirs, our_at, ours)
+                   ? TASK_TEXT_UNKNOWN
+                   : TASK_TEXT_HANDED_OUT;
     if (same_mark(next_todo(at, theirs), next_todo(our_at, ours)))
         return TASK_TEXT_WRITTEN;
     const Span piece = after(our_at, ours); // and code of tasks whose TODOs are gone

@@ -65,6 +65,30 @@ static void test_unknown(void **unused) {
     expect("float other(float x) {\n // TODO(1.1)\n return x;\n}\n", 1, "TODO(1.1)", TASK_TEXT_UNKNOWN);
 }
 
+// Nothing stands between the two TODOs: what is below the second may answer both.
+static void test_below_both(void **unused) {
+    (void)unused;
+    static const char text[] = "float f(float x) {\n float y = x;\n // TODO(1.1)\n // TODO(1.2)\n"
+                               " y = 2.0 * y;\n if (y < 0.0) y = 0.0;\n return y;\n}\n";
+    expect(text, 1, "TODO(1.1)", TASK_TEXT_UNKNOWN);
+    expect(text, 1, "TODO(1.2)", TASK_TEXT_WRITTEN);
+}
+
+// The code of the second task stands above its TODO, that of the first one below its own.
+static void test_right_above(void **unused) {
+    (void)unused;
+    static const char handed_out[] =
+        "void f() {\n // TODO(1.1)\n haze();\n if (x) {\n  // TODO(1.2)\n }\n draw();\n}\n";
+    static const char text[] =
+        "void f() {\n // TODO(1.1)\n count();\n if (x) {\n  turn();\n  // TODO(1.2)\n }\n draw();\n}\n";
+    static const char one[] =
+        "void f() {\n // TODO(1.1)\n count();\n if (x) {\n  // TODO(1.2)\n }\n draw();\n}\n";
+    assert_int_equal(task_text_compare(text, strstr(text, "TODO(1.2)"), "TODO(1.2)", handed_out),
+                     TASK_TEXT_UNKNOWN);
+    assert_int_equal(task_text_compare(one, strstr(one, "TODO(1.2)"), "TODO(1.2)", handed_out),
+                     TASK_TEXT_HANDED_OUT);
+}
+
 // The other TODO is gone, but what stood below this one is, too.
 static void test_replaced(void **unused) {
     (void)unused;
@@ -83,8 +107,9 @@ static void test_put_before(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_untouched), cmocka_unit_test(test_below),
-                                       cmocka_unit_test(test_above),     cmocka_unit_test(test_unknown),
-                                       cmocka_unit_test(test_replaced),  cmocka_unit_test(test_put_before)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_untouched),  cmocka_unit_test(test_below),
+                                       cmocka_unit_test(test_above),      cmocka_unit_test(test_unknown),
+                                       cmocka_unit_test(test_replaced),   cmocka_unit_test(test_put_before),
+                                       cmocka_unit_test(test_below_both), cmocka_unit_test(test_right_above)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
