@@ -71,7 +71,7 @@ static void find_in(OpenTasks *tasks, const Rubric *rubric, int file, const char
         for (const char *at = strstr(text, mark); at; at = strstr(at + 1, mark)) {
             const TaskText found = read_mark(text, at, mark, rubric, file, t);
             tasks->open[t] = tasks->open[t] || found == TASK_TEXT_HANDED_OUT;
-            tasks->unsure[t] = tasks->unsure[t] || found == TASK_TEXT_UNKNOWN;
+            tasks->unsure[t] = tasks->unsure[t] || found == TASK_TEXT_UNKNOWN || found == TASK_TEXT_SHARED;
         }
     }
 }

@@ -140,10 +140,25 @@ static Span end_of(Span piece) {
     }
 }
 
-// Do other words stand right above the mark than those that were handed out there?
+// Does the piece hold these words, too, above its end?
+static bool holds_above_end(Span piece, Span words) {
+    const int count = count_words(words, BEGIN_WORDS);
+    for (const char *at = piece.begin; at < piece.end;) {
+        const char *end = at;
+        for (int i = 0; i < count; i++)
+            tokens_next(&end);
+        if (end < piece.end && same((Span){at, end}, words))
+            return true;
+        if (tokens_next(&at).kind == TOKEN_END)
+            return false;
+    }
+    return false;
+}
+
+// Was code put in between the mark and the words that were handed out right above it?
 static bool written_right_above(const char *at, Span theirs, const char *our_at, Span ours) {
-    const Span piece = before(our_at, ours);
-    return !is_empty(piece) && !same(end_of(before(at, theirs)), end_of(piece));
+    const Span piece = before(at, theirs), words = end_of(before(our_at, ours));
+    return !is_empty(words) && !same(end_of(piece), words) && holds_above_end(piece, words);
 }
 
 static TaskText compare_at(const char *at, Span theirs, const char *our_at, Span ours) {
@@ -151,7 +166,7 @@ static TaskText compare_at(const char *at, Span theirs, const char *our_at, Span
         return same(before(at, theirs), before(our_at, ours)) ? TASK_TEXT_HANDED_OUT : TASK_TEXT_WRITTEN;
     if (same(after(at, theirs), after(our_at, ours)))
         return written_below_next(at, theirs, our_at, ours) || written_right_above(at, theirs, our_at, ours)
-                   ? TASK_TEXT_UNKNOWN
+                   ? TASK_TEXT_SHARED
                    : TASK_TEXT_HANDED_OUT;
     if (same_mark(next_todo(at, theirs), next_todo(our_at, ours)))
         return TASK_TEXT_WRITTEN;
@@ -192,7 +207,7 @@ TaskText task_text_compare(const char *text, const char *at, const char *mark, c
         const TaskText one = compare_at(at, theirs.span, our_at, ours.span);
         if (one == TASK_TEXT_HANDED_OUT)
             return one;
-        if (one == TASK_TEXT_WRITTEN)
+        if (one != TASK_TEXT_UNKNOWN)
             found = one;
     }
     return found;

@@ -70,7 +70,7 @@ static void test_below_both(void **unused) {
     (void)unused;
     static const char text[] = "float f(float x) {\n float y = x;\n // TODO(1.1)\n // TODO(1.2)\n"
                                " y = 2.0 * y;\n if (y < 0.0) y = 0.0;\n return y;\n}\n";
-    expect(text, 1, "TODO(1.1)", TASK_TEXT_UNKNOWN);
+    expect(text, 1, "TODO(1.1)", TASK_TEXT_SHARED);
     expect(text, 1, "TODO(1.2)", TASK_TEXT_WRITTEN);
 }
 
@@ -84,8 +84,12 @@ static void test_right_above(void **unused) {
     static const char one[] =
         "void f() {\n // TODO(1.1)\n count();\n if (x) {\n  // TODO(1.2)\n }\n draw();\n}\n";
     assert_int_equal(task_text_compare(text, strstr(text, "TODO(1.2)"), "TODO(1.2)", handed_out),
-                     TASK_TEXT_UNKNOWN);
+                     TASK_TEXT_SHARED);
     assert_int_equal(task_text_compare(one, strstr(one, "TODO(1.2)"), "TODO(1.2)", handed_out),
+                     TASK_TEXT_HANDED_OUT);
+    static const char replaced[] =
+        "void f() {\n // TODO(1.1)\n count();\n if (y > x) {\n  // TODO(1.2)\n }\n draw();\n}\n";
+    assert_int_equal(task_text_compare(replaced, strstr(replaced, "TODO(1.2)"), "TODO(1.2)", handed_out),
                      TASK_TEXT_HANDED_OUT);
 }
 
