@@ -23,7 +23,7 @@ order=$(for student in dan cyn ann eve bob; do cost $student; done)
 [[ $(wc -l <<<"$order") == 5 && $order == "$(sort -g -u <<<"$order")" ]] && ok || bad "in the order of what they read" "$out"
 python3 -c 'import sys; ann, eve = map(float, sys.argv[1:]); assert abs(eve - ann - 512 * 512 / (320 * 240)) < 0.1' "$(cost ann)" "$(cost eve)" 2>/dev/null && ok ||
     bad "a second clear costs its texels" "$out"
-[[ $(line ivy) == "  1 "*"; ! with our lab.c its shaders cost $(cost ann): read its own"* ]] && ok || bad "forged counts" "$out"
+[[ $(line ivy) == "  1 "*"; ! with our lab.c its shaders cost "[1-9]*": read its own"* ]] && ok || bad "forged counts" "$out"
 grep -qF "with our lab.c its shaders cost" "$work/one.html" && ok || bad "forged counts, on the page" "$(cat "$work/one.html")"
 [[ $(for student in ann bob cyn dan eve; do line $student; done) != *!* ]] && ok || bad "honest counts are marked" "$out"
 [[ $(line gus) == *"not ranked: it does not pass: "* ]] && ok || bad "a fixed kernel does not pass" "$out"
