@@ -7,13 +7,13 @@
 
 typedef struct Filter {
     const char *family;
-    int method, radius, taps; // knobs; lookups a pixel
-    float kernel;             // farthest tap from the point, texels
+    int method, radius; // knobs
+    float kernel;       // farthest tap from the point, texels
 } Filter;
 
 // Those that more than one scene has.
-static const Filter filter_linear = {"linear", 2, 0, 1, 0}, filter_box_5 = {"box 5 x 5", 4, 2, 25, 2},
-                    filter_gather = {"3 x 3 by gathers", 5, 0, 4, 1};
+static const Filter filter_linear = {"linear", 2, 0, 0}, filter_box_5 = {"box 5 x 5", 4, 2, 2},
+                    filter_gather = {"3 x 3 by gathers", 5, 0, 1};
 
 // An edit: the choice of the method is a constant of the shader.
 #define FILTER_FIXED(method)                                                                                 \

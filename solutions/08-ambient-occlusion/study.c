@@ -75,8 +75,8 @@ static void add_bake(Cost *cost, const Method *method, const Scene *scene) {
     Atlas *atlas = calloc(1, sizeof *atlas);
     if (atlas && atlas_layout(atlas, scene, method_knob(method, "texel density", 4), 1))
         for (int c = 0; c < atlas->chart_count; c++)
-            cost->texels += (double)atlas->charts[c].width * atlas->charts[c].height;
-    cost->rays = cost->texels * (double)method_knob(method, "rays", 64);
+            cost->atlas += (double)atlas->charts[c].width * atlas->charts[c].height;
+    cost->rays = cost->atlas * (double)method_knob(method, "rays", 64);
     if (atlas)
         atlas_destroy(atlas);
     free(atlas);
@@ -159,7 +159,6 @@ static Method *add_screen(MethodList *list, const char *family, float length) {
     setting_knob(&method->setting, "method", 1);
     setting_knob(&method->setting, "ray length", length);
     method->picture_bytes = 4; // GL_RGBA8
-    method->taps = 16;         // hemisphere_count in shaders/hemisphere.glsl
     return method;
 }
 
@@ -176,7 +175,6 @@ static void add_faster(MethodList *list) {
     Method *half = add_screen(list, "screen space, half size", length);
     half->change = &half_size;
     half->picture_bytes = 1; // a quarter of the pixels
-    half->taps = 4;
 }
 
 static void add_methods(MethodList *list, const char *scene) {
