@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "base/context_choice.h"
 #include "compile/compiler.h"
+#include "exam/greeting.h"
 #include "exam/nursery_client.h"
 #include "protocol/description.h"
 #include "base/places.h"
@@ -188,8 +189,7 @@ static void note_crash(WorkerClient *client, const Request *request) {
 static bool is_ready(WorkerClient *client, Reply *reply) {
     if (!client->started && !worker_client_start(client))
         return false;
-    client->greeted = client->greeted || (process_exchange(&client->process, NULL, 0, reply, sizeof *reply) &&
-                                          reply->magic == PROTOCOL_MAGIC && reply->drawn);
+    client->greeted = client->greeted || greeting_hear(&client->process, reply);
     return client->greeted;
 }
 
