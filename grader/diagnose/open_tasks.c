@@ -71,7 +71,7 @@ static void find_in(OpenTasks *tasks, const Rubric *rubric, int file, const char
         for (const char *at = strstr(text, mark); at; at = strstr(at + 1, mark)) {
             const TaskText found = read_mark(text, at, mark, rubric, file, t);
             tasks->open[t] = tasks->open[t] || found == TASK_TEXT_HANDED_OUT;
-            tasks->unsure[t] = tasks->unsure[t] || found == TASK_TEXT_UNKNOWN;
+            tasks->unsure[t] = tasks->unsure[t] || found == TASK_TEXT_UNKNOWN || found == TASK_TEXT_EITHER;
         }
     }
 }
@@ -111,5 +111,8 @@ void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, cons
         if (t >= 0 && tasks->unsure[t] && !result->checks[c].passed)
             tasks->open[t] = tasks->open[t] || shows_no_effect(result, exam, c);
     }
+    for (int t = 0; t < rubric->hint_count && t < EXAM_MAX_TASKS; t++)
+        if (result_task_passed(result, rubric, t)) // it is done, whatever its file looks like
+            tasks->open[t] = tasks->unsure[t] = false;
     check_clear();
 }
