@@ -17,6 +17,10 @@ TEACHERS := $(if $(wildcard solutions),,$(shell sed -nE 's/^([a-z_.-]+):.*### .*
 ABSENT := $(filter $(TEACHERS),$(MAKECMDGOALS))
 $(if $(ABSENT),$(error make $(ABSENT) is not in this kit; make help lists what is))
 
+ifeq ($(wildcard solutions),) # who has the kit wants to see what fails, and not hundreds of commands
+.SILENT:
+endif
+
 include grader/build.mk
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]
