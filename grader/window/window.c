@@ -168,6 +168,8 @@ bool window_save(Window *window, const App *app, const char *path) {
         return check_fail("there is no picture yet");
     Place at = window_place(window, app);
     draw_picture(window, app);
+    marks_put(&window->text, app, &at, window->width, window->height);
+    text_draw(&window->text, window->width, window->height);
     bool ok = screen_read(&image, &at) && image_write_png(&image, path);
     image_destroy(&image);
     return ok;

@@ -38,7 +38,7 @@ lab=07
 scene=$(python3 -c 'import json, sys
 scene = json.load(open(sys.argv[1]))["checks"][0]["scene"]
 print(scene if isinstance(scene, str) else scene[0])' "$root/solutions/07-shadow-volumes/rubric.json")
-shot --scene "$scene" --show reference --view "stencil counts"
+shot --scene "$scene" --show reference --bare --view "stencil counts"
 expect "counts" 0 "saved as"
 headless --view "stencil counts"
 pairs=$(convert "$work/wanted.png" "$work/shot.png" +append -depth 8 rgb:- | python3 -c '
@@ -111,19 +111,30 @@ fi
     bad "two windows at once" "$(cat "$work/second")"
 close_window
 
-# The names at the split, and the legend, come and go with the text (key H).
-lettered() { # AREA: white letters stand on the dark ground there
-    picture && [[ $(convert "$work/now.png" -crop "$1" +repage -colorspace gray -format '%[fx:minima < 0.2 && maxima > 0.95 && mean < 0.5]' info:) == 1 ]]
+# The names at the split, and the legend, come and go with the text (key H), also in a picture that is saved.
+letters_in() { # FILE AREA: white letters stand on the dark ground there
+    [[ $(convert "$1" -crop "$2" +repage -colorspace gray -format '%[fx:minima < 0.2 && maxima > 0.95 && mean < 0.5]' info:) == 1 ]]
 }
-size=640x480 lab=07 scene=nested open_window --show split --view "stencil counts" --knob method=1
+lettered() { picture && letters_in "$work/now.png" "$1"; }
+yours=60x20+254+241 reference=90x20+324+241 legend=120x160+525+160
+size=640x480 lab=07 scene=nested
+for bare in "" --bare; do
+    shot --scene "$scene" --show split --view "stencil counts" --knob method=1 $bare
+    [[ $(convert "$work/shot.png" -crop 1x1+320+40 +repage -format '%[hex:u.p{0,0}]' info:) == FFD65A* ]] && ok || bad "the line of a split is saved $bare" "$out"
+    for area in $yours $reference $legend; do
+        letters_in "$work/shot.png" $area && words= || words=--bare
+        [[ $words == "$bare" ]] && ok || bad "saved words at $area $bare"
+    done
+done
+open_window --show split --view "stencil counts" --knob method=1
 wait_for "the split" titled "mine | reference"
 wait_for "both pictures" picture
 sleep 1
-lettered 90x20+324+241 && bad "names without text" || ok
+lettered $reference && bad "names without text" || ok
 keys h
-wait_for "yours" lettered 60x20+254+241
-wait_for "reference" lettered 90x20+324+241
-wait_for "the legend" lettered 120x160+525+160
+wait_for "yours" lettered $yours
+wait_for "reference" lettered $reference
+wait_for "the legend" lettered $legend
 close_window
 
 # Labs that do not draw: a reason, and no picture.
