@@ -33,18 +33,16 @@ static void name_cause(CheckResult *check, const char *mistake, const char *hint
     snprintf(check->hint, sizeof check->hint, "%s", hint ? hint : "");
 }
 
-// The open task that explains why check c failed: its own, or the first that it needs. -1: none. Whether its
-// own is open may be unsure, and one that it needs the reason why it shows no effect.
+// The open task that explains why check c failed: its own, or the first that it needs. -1: none.
 static int find_open(const Diagnosis *this, int c) {
     const Rubric *rubric = this->exam->rubric;
     const int own = rubric_task_index(rubric, this->result->checks[c].check->task);
-    const bool is_open = own >= 0 && this->open.open[own];
-    if (is_open && !this->open.unsure[own])
+    if (own >= 0 && this->open.open[own])
         return own;
     for (int t = 0; t < rubric->hint_count; t++)
         if (this->open.open[t] && exam_without_task(this->exam, t, c) == EXAM_FAILS)
             return t;
-    return is_open ? own : -1;
+    return -1;
 }
 
 static void name_open(Diagnosis *this, int c, int t) {
@@ -92,17 +90,6 @@ static void know_all(Known *known, const Diagnosis *this) {
         known->among[t] = !this->open.open[t];
 }
 
-// Did all checks about the task pass?
-static bool is_acquitted(const Diagnosis *this, int t) {
-    int own = 0, passed = 0;
-    for (int c = 0; c < this->result->check_count; c++)
-        if (rubric_task_index(this->exam->rubric, this->result->checks[c].check->task) == t) {
-            own++;
-            passed += this->result->checks[c].passed;
-        }
-    return own > 0 && passed == own;
-}
-
 // Has what was handed out changed in each part with the fault?
 static bool given_changed(const Fault *fault) {
     for (int i = 0; i < fault->count; i++)
@@ -118,7 +105,7 @@ static void suspect_noise(Diagnosis *this) {
     if (!given_changed(&this->result->fault))
         return;
     for (int i = 0; i < this->suspects.count; i++)
-        if (!is_acquitted(this, this->suspects.tasks[i]))
+        if (!result_task_passed(this->result, rubric, this->suspects.tasks[i]))
             return;
     if (this->suspects.count == 0)
         return;

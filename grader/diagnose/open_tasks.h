@@ -7,10 +7,9 @@
 
 // By rubric_task_index.
 typedef struct OpenTasks {
-    bool open[EXAM_MAX_TASKS];   // its TODO is in the file, what belongs to it is as it was handed out, and
-                                 // not all of its checks pass
-    bool unsure[EXAM_MAX_TASKS]; // its TODO is in the file, and what was written beside it may be another
-                                 // task's: then it is open when its check shows no effect
+    bool open[EXAM_MAX_TASKS];   // its TODO is in the file, and what belongs to it is as it was handed out
+    bool unsure[EXAM_MAX_TASKS]; // its TODO is in the file, and other TODOs beside it are gone: then it is
+                                 // open when its check shows no effect
 } OpenTasks;
 
 // Reads the rubric's files in `folder`; what cannot be read has no open tasks.

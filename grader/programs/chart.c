@@ -10,6 +10,7 @@
 #include "study/cost_chart.h"
 #include "study/findings_csv.h"
 #include "study/growing_file.h"
+#include "study/scene_list.h"
 #include "study/chart_page.h"
 #include "study/verdict.h"
 
@@ -79,7 +80,8 @@ static const Option options[] = {
      option_text},
     {"without", 0, "N", "object N is left out of all scenes: does a verdict change?", AT(without),
      take_without},
-    {"list", 0, NULL, "print of each scene its name, how many objects it has, and its chart's title",
+    {"list", 0, NULL,
+     "print of each scene its name, how many objects it has, its chart's title, and the methods in it",
      AT(list), option_flag},
     {"compare", 0, NULL, "compare two tables that build/chart has written", AT(compare), option_flag},
     {0}};
@@ -242,13 +244,6 @@ static bool choose_jail(const ChartCommand *command, StudyPlan *plan, Jail *jail
     return jail_choose(jail, JAIL_NONE, false, "chart", &plan->artists.jail);
 }
 
-static int list(void) {
-    for (int i = 0; study_scene(i); i++)
-        printf("%s\t%d\t%s\n", study_scene(i)->name, study_count_objects(study_scene(i)),
-               study_scene(i)->title);
-    return 0;
-}
-
 static int compare(char **paths) {
     int unexplained;
     if (findings_csv_compare(paths[0], paths[1], stdout, &unexplained))
@@ -265,7 +260,7 @@ int main(int count, char **arguments) {
     if (command.compare)
         return compare(command.compared);
     if (command.list)
-        return list();
+        return scene_list_write(stdout), 0;
     ContextKind drawing = command.context; // CONTEXT_ANY stays: only who asks for EGL gets a GPU's times
     command_line_settle_context(&command_line, &drawing);
     char standard[FILES_PATH];

@@ -22,6 +22,10 @@ static const Filter filter_linear = {"linear", 2, 0, 0}, filter_box_5 = {"box 5 
 enum { FILTERS_FIXED = 6 };
 extern const Change filters_fixed[FILTERS_FIXED]; // by the number of the method, each with that one edit
 
+// The same filters in less time, each an edit of this lab: the map is kept while nothing moves; it holds what
+// casts alone; the box from lookups between texels and from gathers; a tent in the place of the box of 3 x 3.
+extern const Change filter_kept, filter_casters, filter_between, filter_gathers, filter_tent;
+
 // Plates before a wall, both square to the light.
 void filters_make_edges(Scene *scene);
 
