@@ -134,8 +134,14 @@ static bool keep_row(const CsvReader *reader, int line) {
     Csv *csv = reader->csv;
     for (int i = csv->column_count; i < reader->count; i++)
         if (reader->cells[i][0])
-            return check_fail("%s:%d: %d cells below %d heads: put a cell that holds a separator into quotes",
-                              csv->path, line, reader->count, csv->column_count);
+            return csv->column_count == 1
+                       ? check_fail(
+                             "%s:%d: %d cells, but the first line has one: remove the lines above that "
+                             "with the names of the columns",
+                             csv->path, line, reader->count)
+                       : check_fail(
+                             "%s:%d: %d cells below %d heads: put a cell that holds a separator into quotes",
+                             csv->path, line, reader->count, csv->column_count);
     if ((csv->count & (csv->count - 1)) == 0) { // room is always a power of two
         csv->rows = realloc(csv->rows, sizeof *csv->rows * (size_t)(csv->count ? 2 * csv->count : 1));
         INVARIANT(csv->rows);
@@ -219,6 +225,17 @@ int csv_column(const Csv *csv, const char *const *names) {
             if (same_head(csv->heads[i], *names))
                 return i;
     return -1;
+}
+
+bool csv_named_once(const Csv *csv, int column) {
+    for (int i = 0; column >= 0 && i < csv->column_count; i++)
+        if (i != column && same_head(csv->heads[i], csv->heads[column]))
+            return csv_fail(csv, -1,
+                            "two columns are named \"%.60s\" (columns %d and %d): rename the one that does "
+                            "not count, or remove it",
+                            csv->heads[column], column < i ? column + 1 : i + 1,
+                            column < i ? i + 1 : column + 1);
+    return true;
 }
 
 const char *csv_cell(const Csv *csv, int row, int column) {

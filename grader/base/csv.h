@@ -31,6 +31,9 @@ void csv_destroy(Csv *csv); // accepts a zeroed table
 // and not their case. `names` ends with NULL. -1 when there is none.
 int csv_column(const Csv *csv, const char *const *names);
 
+// Is no other column named like this one? False with a message. True for the column -1.
+bool csv_named_once(const Csv *csv, int column);
+
 // A cell; "" for the column -1.
 const char *csv_cell(const Csv *csv, int row, int column);
 

@@ -66,6 +66,27 @@ static void show_key(char shown[SHOWN + 8], const char *key) {
     json_decref(text);
 }
 
+// What people write who have seen little JSON.
+static const char *remedy(const char *error) {
+    static const char *const remedies[][2] = {
+        {"unable to decode", ": save it as UTF-8"},
+        {"near '}'", ": is there a comma too many before it?"},
+        {"near ']'", ": is there a comma too many before it?"},
+        {"near \x27\x27", ": texts stand in straight double quotes, \"so\""},
+        {"near '\xe2\x80", ": texts stand in straight double quotes, \"so\""},
+        {"near '/'", ": JSON has no comments"},
+        {"near '#'", ": JSON has no comments"},
+        {"duplicate", ": keep one of them"},
+        {"end of file", ": a bracket or the text behind it is missing"},
+        {"near '",
+         ": texts stand in double quotes, numbers have a point, and a comma stands between two entries"},
+    };
+    for (size_t i = 0; i < sizeof remedies / sizeof remedies[0]; i++)
+        if (strstr(error, remedies[i][0]))
+            return remedies[i][1];
+    return "";
+}
+
 json_t *json_fields_read(const JsonPlace *place, const char *text, size_t size, json_type type) {
     char path[FILES_PATH], *own = NULL;
     json_error_t error;
@@ -79,7 +100,7 @@ json_t *json_fields_read(const JsonPlace *place, const char *text, size_t size, 
     json_t *root = json_loadb(text, size, JSON_REJECT_DUPLICATES, &error);
     free(own);
     if (!root)
-        check_fail("%s/%s:%d: %s", place->folder, place->file, error.line, error.text);
+        check_fail("%s/%s:%d: %s%s", place->folder, place->file, error.line, error.text, remedy(error.text));
     else if (json_typeof(root) != type)
         check_fail("%s/%s:1: expected %s", place->folder, place->file, type_name(type));
     if (root && json_typeof(root) == type)

@@ -47,6 +47,7 @@ bool process_open(Process *process, int theirs[3], const ProcessLimits *limits) 
     theirs[0] = pipes[INPUT][0];
     theirs[1] = pipes[OUTPUT][1];
     theirs[2] = pipes[REPLIES][1];
+    signal(SIGPIPE, SIG_IGN);         // a child that died while we write to it is a failed write
     prctl(PR_SET_CHILD_SUBREAPER, 1); // what its death leaves behind becomes our child: see collect
     process->input = pipes[INPUT][1];
     process->output = pipes[OUTPUT][0];

@@ -14,6 +14,7 @@ enum { MAX_FOLDERS = 8 };
 // "rm", "-rf", "--", the folders, NULL: what the signal handler needs is ready before.
 static char folders[MAX_FOLDERS][PATH_MAX];
 static char *command[MAX_FOLDERS + 4] = {"rm", "-rf", "--"};
+static pid_t owner; // who noted the folders
 
 static void list_folders(void) {
     int count = 3;
@@ -32,18 +33,10 @@ static void replace(const char *from, const char *to) {
     list_folders();
 }
 
-void temporary_add(const char *folder) {
-    replace("", folder);
-}
-
-void temporary_drop(const char *folder) {
-    replace(folder, "");
-}
-
 // Those who still write to the folders die with us; so our child waits for our death and then removes them.
 static void end(int number) {
     pid_t parent = getpid();
-    if (command[3] && _Fork() == 0) {
+    if (command[3] && owner == parent && _Fork() == 0) {
         setsid();
         while (getppid() == parent)
             usleep(1000);
@@ -55,11 +48,23 @@ static void end(int number) {
     raise(number);
 }
 
-void temporary_on_signals(void) {
+static void watch_signals(void) {
     static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
     for (unsigned i = 0; i < COUNT(numbers); i++) {
         struct sigaction before;
-        if (sigaction(numbers[i], NULL, &before) == 0 && before.sa_handler != SIG_IGN) // as by nohup
+        if (sigaction(numbers[i], NULL, &before) == 0 && before.sa_handler == SIG_DFL)
             sigaction(numbers[i], &(struct sigaction){.sa_handler = end}, NULL);
     }
+}
+
+void temporary_add(const char *folder) {
+    if (owner != getpid())
+        memset(folders, 0, sizeof folders); // those of the parent, which needs them
+    owner = getpid();
+    replace("", folder);
+    watch_signals();
+}
+
+void temporary_drop(const char *folder) {
+    replace(folder, "");
 }

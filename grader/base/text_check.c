@@ -10,9 +10,11 @@ static bool is_utf16(const char *text, size_t size) {
                       ((text[2] == '\0') != (text[3] == '\0')));
 }
 
-// .docx, .xlsx and .odt are zip archives; before them came compound files.
+// .docx, .xlsx and .odt are zip archives; before them came compound files. Some lists are web pages called
+// .xls.
 static bool is_document(const char *text, size_t size) {
-    static const char *const begins[] = {"PK\x03\x04", "\xd0\xcf\x11\xe0", "{\\rtf", "%PDF"};
+    static const char *const begins[] = {"PK\x03\x04", "\xd0\xcf\x11\xe0", "{\\rtf", "%PDF", "<?xml",
+                                         "<html",      "<!DOCTYPE",        "<table"};
     for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++)
         if (size >= strlen(begins[i]) && memcmp(text, begins[i], strlen(begins[i])) == 0)
             return true;

@@ -3,7 +3,6 @@
 
 #include "base/find_file.h"
 #include "base/places.h"
-#include "base/temporary.h"
 #include "compile/lab_folder.h"
 #include "compile/rubric_file.h"
 #include "grade/found_lab.h"
@@ -237,7 +236,6 @@ bool dry_run_print(const Table *table, const ClassSettings *settings, void *cont
                        .all_attempts = settings->all_attempts,
                        .rubrics = calloc(COURSE_MAX_LABS, sizeof(Rubric))};
     INVARIANT(look.rubrics);
-    temporary_on_signals();
     const bool ok =
         load_rubrics(look.rubrics, table->plan) && book_open(&book, table, settings->output, &run->files) &&
         jail_choose(&jail, settings->route, false, "grade", &look.jail) && print_all(&look, settings);

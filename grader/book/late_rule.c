@@ -1,7 +1,10 @@
+// Reads the rule, and refuses what nobody can have meant: dates that are none, labs that there are not,
+// shares for percents.
 #include "book/late_rule.h"
 
 #include "base/files.h"
 #include "base/json_fields.h"
+#include "base/places.h"
 #include "base/text_check.h"
 #include "class/hand_in_time.h"
 #include "scene/check.h"
@@ -22,11 +25,17 @@ static const JsonField fields[] = {{"due", FIELD_KEYS, FIELD_NEEDED, 1, COURSE_M
 
 static bool read_due(LateRule *rule, const JsonPlace *place, const char *lab, const json_t *value) {
     const char *text = json_string_value(value);
+    char folder[FILES_PATH];
     time_t due;
     if (strlen(lab) != 2 || lab[strspn(lab, "0123456789")])
         return json_fields_fail(place, "due", "\"%.20s\" is no lab: write its number, as \"03\"", lab);
     if (!text || !hand_in_time_parse(&due, text))
-        return json_fields_fail(place, "due", "lab %s: write a time as \"2026-11-03 23:59\"", lab);
+        return json_fields_fail(place, "due",
+                                "lab %s: \"%.40s\" is no time: write one as \"2026-11-03 23:59\", or with a "
+                                "zone as \"2026-11-03 23:59 +0100\"",
+                                lab, text ? text : "");
+    if (!places_find_lab(folder, lab))
+        return json_fields_fail(place, "due", "there is no lab %s: correct its number", lab);
     int at = rule->count++;
     for (; at > 0 && rule->due[at - 1] > due; at--) {
         rule->due[at] = rule->due[at - 1];
@@ -42,6 +51,11 @@ static double number_or(const json_t *root, const char *key, double otherwise) {
     return value ? json_number_value(value) : otherwise;
 }
 
+// 0.1 was meant as ten percent.
+static bool is_share(double percent) {
+    return percent > 0 && percent < 1;
+}
+
 static bool read_rule(LateRule *rule, const JsonPlace *place, json_t *root) {
     const char *lab;
     json_t *due;
@@ -52,6 +66,12 @@ static bool read_rule(LateRule *rule, const JsonPlace *place, json_t *root) {
     rule->free_days = (int)number_or(root, "free days", 0);
     rule->percent = number_or(root, "percent a day", 0);
     rule->cap = number_or(root, "at most percent", 100);
+    if (is_share(rule->percent))
+        return json_fields_fail(place, "percent a day",
+                                "%g is less than one percent: for ten percent write 10", rule->percent);
+    if (is_share(rule->cap))
+        return json_fields_fail(place, "at most percent", "%g is less than one percent: for a half write 50",
+                                rule->cap);
     rule->grace = MINUTE * number_or(root, "grace minutes", 0);
     return rule->given = true;
 }

@@ -30,6 +30,11 @@ static bool find_columns(OverrideColumns *columns, const Csv *csv) {
                           : columns->note < 0                        ? "note"
                           : columns->points < 0 && columns->late < 0 ? "points"
                                                                      : NULL;
+    const int used[] = {columns->student, columns->lab,  columns->check,
+                        columns->points,  columns->late, columns->note};
+    for (size_t i = 0; i < sizeof used / sizeof used[0]; i++)
+        if (!csv_named_once(csv, used[i]))
+            return false;
     return !missing || csv_fail(csv, -1,
                                 "the column %s is missing: the first line must be "
                                 "student,lab,points,note, with check or late as you need them",

@@ -3,6 +3,7 @@
 #include "book/student_list.h"
 
 #include "base/printable.h"
+#include "book/plain_number.h"
 #include "class/hand_in_time.h"
 #include "scene/check.h"
 
@@ -11,26 +12,36 @@
 #include <string.h>
 #include <strings.h>
 
-static const char *const heads[STUDENT_FIELDS][16] = {
+static const char *const heads[STUDENT_FIELDS][24] = {
     [STUDENT_ID] = {"id", "student id", "sid", "id number", "student number", "identifier", "org defined id",
-                    "user id", "matriculation number", "matrikelnummer", "number", "matr nr"},
+                    "user id", "matriculation number", "matrikelnummer", "number", "matr nr", "matrikel nr",
+                    "id nummer", "numéro d’identification", "numéro d'étudiant", "número de id", "matricola",
+                    "opiskelijanumero"},
     [STUDENT_SIS] = {"sis user id", "sis id"},
     [STUDENT_LOGIN] = {"sis login id", "login id", "login", "username", "user name", "user", "net id",
                        "github username", "account"},
-    [STUDENT_MAIL] = {"email", "email address", "mail", "mail address", "e-mail-adresse"},
-    [STUDENT_NAME] = {"full name", "student name", "name", "student", "display name"},
-    [STUDENT_FIRST] = {"first name", "given name", "forename", "first", "vorname"},
-    [STUDENT_LAST] = {"last name", "surname", "family name", "last", "nachname"},
-    [STUDENT_SECTION] = {"section", "sections", "section name", "group", "tutorial"},
+    [STUDENT_MAIL] = {"email", "email address", "mail", "mail address", "e-mail-adresse",
+                      "adresse de courriel", "courriel", "correo electrónico", "dirección de correo",
+                      "indirizzo email", "sähköposti"},
+    [STUDENT_NAME] = {"full name", "student name", "name", "student", "display name", "vollständiger name",
+                      "nom complet", "nombre completo"},
+    [STUDENT_FIRST] = {"first name", "given name", "given names", "forename", "first", "vorname", "prénom",
+                       "nombre", "nome", "etunimi"},
+    [STUDENT_LAST] = {"last name", "surname", "family name", "last", "nachname", "familienname",
+                      "nom de famille", "nom", "apellidos", "apellido", "cognome", "sukunimi"},
+    [STUDENT_SECTION] = {"section", "sections", "section name", "group", "tutorial", "gruppe"},
     [STUDENT_TIME] = {"submission time", "last modified (submission)", "handed in", "submitted"},
 };
 static const StudentField keys[] = {STUDENT_ID, STUDENT_SIS, STUDENT_LOGIN, STUDENT_MAIL, STUDENT_NAME};
 enum { KEYS = sizeof keys / sizeof keys[0] };
 
-// Moodle's worksheet writes "Participant 123".
+// Moodle's worksheet writes "Participant 123", each in its language.
 static const char *without_word(const char *text) {
-    static const char word[] = "Participant ";
-    return strncasecmp(text, word, strlen(word)) == 0 ? text + strlen(word) : text;
+    static const char *const words[] = {"Participant ", "Teilnehmer/in"};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++)
+        if (strncasecmp(text, words[i], strlen(words[i])) == 0)
+            return text + strlen(words[i]);
+    return text;
 }
 
 // "Lee, Ann" is "Ann Lee".
@@ -55,6 +66,16 @@ static char *whole_name(const Student *student) {
     return length < 0 ? NULL : name;
 }
 
+// Beside a column of first names one of names has the last ones, unless it has both.
+static void tell_apart(Student *student) {
+    char **name = &student->fields[STUDENT_NAME], **last = &student->fields[STUDENT_LAST], *of_name = *name;
+    const char *first = student->fields[STUDENT_FIRST];
+    if (!first[0] || (*last)[0] || strchr(of_name, ',') || strcasestr(of_name, first))
+        return;
+    *name = *last;
+    *last = of_name;
+}
+
 static void make_keys(Student *student) {
     const char *name = student->fields[STUDENT_NAME], *last = student->fields[STUDENT_LAST];
     const char *first = student->fields[STUDENT_FIRST], *space = strrchr(name, ' ');
@@ -76,11 +97,32 @@ static bool is_no_student(const Csv *csv, int row, const int columns[STUDENT_FIE
     return strcmp(name, "Points Possible") == 0 || strcmp(name, "Student, Test") == 0;
 }
 
+// All fields are strings afterwards, whatever is wrong.
+static bool read_field(Student *student, int field, const Csv *csv, int column) {
+    const char *cell = without_word(csv_cell(csv, student->row, column));
+    char number[200];
+    if (field > STUDENT_LOGIN || strlen(cell) >= sizeof number) {
+        student->fields[field] = printable_name(cell);
+        return true;
+    }
+    const bool whole = plain_number(number, sizeof number, cell);
+    student->fields[field] = printable_name(number);
+    return whole ||
+           csv_fail(csv, student->row,
+                    "\"%.60s\" is what a spreadsheet has left of a number: format its column as text "
+                    "and export the list again",
+                    cell);
+}
+
 static bool read_student(StudentList *list, int row, const int columns[STUDENT_FIELDS]) {
     Student *student = &list->students[list->count++];
     student->row = row;
+    bool plain = true;
     for (int f = 0; f < STUDENT_FIELDS; f++)
-        student->fields[f] = printable_name(without_word(csv_cell(&list->csv, row, columns[f])));
+        plain = read_field(student, f, &list->csv, columns[f]) && plain;
+    if (!plain)
+        return false;
+    tell_apart(student);
     char *name = whole_name(student);
     INVARIANT(name);
     free(student->fields[STUDENT_NAME]);
@@ -142,15 +184,17 @@ static bool read_all(StudentList *list, const int columns[STUDENT_FIELDS]) {
 
 bool student_list_read(StudentList *list, const char *path) {
     int columns[STUDENT_FIELDS];
-    bool found = false;
+    bool found = false, once = true;
     *list = (StudentList){0};
     if (!csv_read(&list->csv, path))
         return false;
     for (int f = 0; f < STUDENT_FIELDS; f++) {
         columns[f] = csv_column(&list->csv, heads[f]);
+        once = once && csv_named_once(&list->csv, columns[f]);
         found = found || (f <= STUDENT_LAST && columns[f] >= 0);
     }
-    if ((found || csv_fail(&list->csv, -1,
+    if (once &&
+        (found || csv_fail(&list->csv, -1,
                            "no column tells who the students are: name one of them id, login, "
                            "mail or name")) &&
         read_all(list, columns))
@@ -188,12 +232,21 @@ static bool has_name(const Student *student, const char words[NAME_KEY], const c
                         strcmp(student->joined[1], joined) == 0);
 }
 
+// Of 7 and 007 the one counts that is written so.
+static int find_written(const StudentList *list, const char *key) {
+    for (int i = 0; key[0] && i < list->count; i++)
+        for (int k = 0; k < KEYS && keys[k] != STUDENT_NAME; k++)
+            if (strcmp(list->students[i].fields[keys[k]], key) == 0)
+                return i;
+    return STUDENT_SEVERAL;
+}
+
 static int find_key(const StudentList *list, const char *key) {
     int found = STUDENT_NOBODY;
     for (int i = 0; key[0] && i < list->count; i++)
         if (has_key(&list->students[i], key))
             found = found == STUDENT_NOBODY ? i : STUDENT_SEVERAL;
-    return found;
+    return found == STUDENT_SEVERAL ? find_written(list, key) : found;
 }
 
 static int find_name(const StudentList *list, const char *name) {

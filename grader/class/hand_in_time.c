@@ -17,6 +17,12 @@ static bool read_zone(struct tm *parts, const char *rest, bool *zoned) {
     return end && !*end;
 }
 
+// strptime takes the 31st of November, and reads the year of "3.11.26" as that of the Romans.
+static bool is_day(const struct tm *read, const struct tm *made) {
+    enum { FIRST_YEAR = 1990 - 1900 };
+    return read->tm_year >= FIRST_YEAR && read->tm_mday == made->tm_mday && read->tm_mon == made->tm_mon;
+}
+
 bool hand_in_time_parse(time_t *time, const char *text) {
     static const char *const forms[] = {
         "%Y-%m-%dT%H:%M:%S",     "%Y-%m-%d %H:%M:%S",  "%Y-%m-%dT%H:%M",    "%Y-%m-%d %H:%M",
@@ -30,8 +36,10 @@ bool hand_in_time_parse(time_t *time, const char *text) {
         if (!rest || !read_zone(&parts, rest, &zoned))
             continue;
         const long offset = parts.tm_gmtoff;
-        *time = zoned ? timegm(&parts) - offset : mktime(&parts);
-        return true;
+        struct tm made = parts;
+        *time = zoned ? timegm(&made) - offset : mktime(&made);
+        if (is_day(&parts, &made))
+            return true;
     }
     return false;
 }

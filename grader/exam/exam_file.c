@@ -102,6 +102,20 @@ static bool write_strip(const Strip *strip, const char *path) {
     return ok || check_fail("%s cannot be written", path);
 }
 
+// What is not recorded for want of a worker would look like a picture that there is none of.
+static bool is_whole(const Exam *exam, const json_t *entry) {
+    if (exam->painters && painters_lost(exam->painters)) {
+        check_clear(); // whatever was asked for last
+        return check_fail("the exam %llu of lab %s is not whole: the process that draws it has ended (was it "
+                          "killed?): record it again",
+                          (unsigned long long)exam->seed, exam->rubric->id);
+    }
+    return json_array_size(json_object_get(entry, "mistakes")) == (size_t)exam->rubric->mistake_count ||
+           check_fail(
+               "the exam %llu of lab %s lacks the picture of a mistake: look with build/prove --lab %s",
+               (unsigned long long)exam->seed, exam->rubric->id, exam->rubric->id);
+}
+
 static bool save_check(Exam *exam, int c, const char *folder, json_t *checks) {
     static Strip strip;
     char path[FILES_PATH];
@@ -111,8 +125,7 @@ static bool save_check(Exam *exam, int c, const char *folder, json_t *checks) {
     bool ok = true;
     for (int n = 0; ok && n < exam->rubric->checks[c].variants; n++) {
         json_t *entry = put_variant(&strip, exam, c, n);
-        ok = json_array_append_new(variants, entry) == 0 &&
-             json_array_size(json_object_get(entry, "mistakes")) == (size_t)exam->rubric->mistake_count;
+        ok = json_array_append_new(variants, entry) == 0 && is_whole(exam, entry);
     }
     place_strip(path, folder, exam->seed, c);
     return ok && write_strip(&strip, path);

@@ -99,6 +99,10 @@ bool painters_draw(Painters *painters, const Painter *painter, const Request *re
            check_fail("our own lab in %s could not draw: %s", painter->folder, reply->message);
 }
 
+bool painters_lost(const Painters *painters) {
+    return painters->client.started && painters->client.process.state != PROCESS_RUNNING;
+}
+
 bool painters_fit(Painters *painters) {
     static Request request;
     static Reply reply;

@@ -52,6 +52,9 @@ const Painter *painters_reset(Painters *painters, const Parts *parts, int p, int
 bool painters_draw(Painters *painters, const Painter *painter, const Request *request, Image *image,
                    Reply *reply);
 
+// Has the worker ended, though nobody has stopped it?
+bool painters_lost(const Painters *painters);
+
 // Does the rubric fit the lab and its sources (rubric_fit.h)? Asks the solution, once. False with a message.
 bool painters_fit(Painters *painters);
 

@@ -5,6 +5,7 @@
 #include "scene/check.h"
 #include "base/context_choice.h"
 #include "compile/compiler.h"
+#include "exam/greeting.h"
 #include "exam/nursery_client.h"
 #include "protocol/description.h"
 #include "base/places.h"
@@ -110,7 +111,7 @@ static bool used_up_its_time(const WorkerClient *client) {
     const Process *process = &client->process;
     int number = WIFSIGNALED(process->status) ? WTERMSIG(process->status) : 0;
     return process->state == PROCESS_TIMED_OUT || number == SIGXCPU ||
-           (number == SIGKILL && !client->each_turn &&
+           (number == SIGKILL && !client->each_turn && client->seconds > 0 &&
             process->cpu_seconds >= client->seconds - client->used_seconds);
 }
 
@@ -188,8 +189,7 @@ static void note_crash(WorkerClient *client, const Request *request) {
 static bool is_ready(WorkerClient *client, Reply *reply) {
     if (!client->started && !worker_client_start(client))
         return false;
-    client->greeted = client->greeted || (process_exchange(&client->process, NULL, 0, reply, sizeof *reply) &&
-                                          reply->magic == PROTOCOL_MAGIC && reply->drawn);
+    client->greeted = client->greeted || greeting_hear(&client->process, reply);
     return client->greeted;
 }
 

@@ -10,7 +10,6 @@
 #include "base/statistics.h"
 #include "score/score.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <time.h>
@@ -153,7 +152,6 @@ int main(int count, char **arguments) {
     ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, lab, count, arguments);
     command_line_settle_context(&command_line, &context);
-    signal(SIGPIPE, SIG_IGN);
     if (bench(lab))
         return 0;
     fprintf(stderr, "bench_frames: %s\n", check_message());

@@ -4,17 +4,16 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "base/temporary.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
 #include "study/chart_svg.h"
-#include "study/counted_costs.h"
+#include "study/cost_chart.h"
 #include "study/findings_csv.h"
 #include "study/growing_file.h"
+#include "study/scene_list.h"
 #include "study/chart_page.h"
 #include "study/verdict.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +25,7 @@ typedef struct ChartCommand {
     char lab[3]; // "": all
     int scene_count, frames, without;
     MetricsSize size;
-    bool quick, compare, list, counted;
+    bool quick, compare, list;
     char **compared; // two files
     bool trusted;    // no jail for the submission
     ContextKind context;
@@ -72,8 +71,6 @@ static const Option options[] = {
     {"context", 0, "C",
      "osmesa: CPU times (default; where there is no OSMesa, by EGL); egl: times of the GPU that EGL\nfinds",
      AT(context), option_context},
-    {"counted", 0, NULL, "count costs while the labs draw, and chart error against them, too: SCENE-cost.svg",
-     AT(counted), option_flag},
     {"quick", 0, NULL,
      "small pictures and few frames: some minutes; their pixels are larger, so less is enough", AT(quick),
      option_flag},
@@ -83,7 +80,8 @@ static const Option options[] = {
      option_text},
     {"without", 0, "N", "object N is left out of all scenes: does a verdict change?", AT(without),
      take_without},
-    {"list", 0, NULL, "print of each scene its name, how many objects it has, and its chart's title",
+    {"list", 0, NULL,
+     "print of each scene its name, how many objects it has, its chart's title, and the methods in it",
      AT(list), option_flag},
     {"compare", 0, NULL, "compare two tables that build/chart has written", AT(compare), option_flag},
     {0}};
@@ -107,7 +105,9 @@ static const CommandLine command_line = {
     .forms = "[options]\n--compare A.csv B.csv",
     .about = "Measures speed and error of the labs' methods in the scenes of the study, and charts them.\n",
     .options = options,
-    .ending = "exit status: 0; 1 a fault, or --compare finds what noise does not explain; 2 usage\n",
+    .ending =
+        "exit status: 0; 1 there is nothing to measure, or --compare finds what noise does not explain;\n"
+        "2 usage; 3 it could not measure\n",
     .operand = "file",
     .most = 2,
     .check = check,
@@ -160,8 +160,7 @@ static void report(const SceneFindings *findings, FILE *needs) {
 
 static bool chart_scene(StudyPlan *plan, const StudyScene *scene, Output *output) {
     static SceneFindings findings;
-    if (!measure_scene(plan, scene, &findings) ||
-        (plan->counted && !counted_costs(&findings, &plan->artists, plan->output)) ||
+    if (!measure_scene(plan, scene, &findings) || !cost_chart(&findings, plan->output) ||
         !chart_draw(&findings, CHART_TIME, plan->output))
         return false;
     findings_csv_write(output->csv.out, &findings);
@@ -209,10 +208,16 @@ static bool has_submission(const ChartCommand *command) {
                                             command->lab, command->submission, command->lab);
 }
 
+static bool has_scene(const ChartCommand *command) {
+    bool any = false;
+    for (int i = 0; !any && study_scene(i); i++)
+        any = is_wanted(command, study_scene(i));
+    return any || check_fail("no scene of the study has settings of lab %s", command->lab);
+}
+
 static bool study(const ChartCommand *command, StudyPlan *plan) {
     static Output output;
-    if (!has_left_out(command) || !has_submission(command) || !open_output(plan, &output) ||
-        !chart_page_begin(output.page.out))
+    if (!open_output(plan, &output) || !chart_page_begin(output.page.out))
         return false;
     findings_csv_head(output.csv.out);
     findings_csv_views_head(output.views.out);
@@ -220,16 +225,14 @@ static bool study(const ChartCommand *command, StudyPlan *plan) {
     for (int i = 0; study_scene(i); i++)
         if (is_wanted(command, study_scene(i)) && !chart_scene(plan, study_scene(i), &output))
             return false;
-    if (output.scenes == 0)
-        return check_fail("no scene of the study has settings of lab %s", command->lab);
     bool ok = chart_page_end(output.page.out);
     ok = growing_file_end(&output.csv) && ok;
     ok = growing_file_end(&output.views) && ok;
     ok = growing_file_end(&output.lines) && ok;
     ok = growing_file_end(&output.needs) && ok;
     ok = growing_file_end(&output.page) && ok;
-    printf("%s: open it in a browser; chart.csv, views.csv, lines.csv and the pictures SCENE.svg lie beside "
-           "it\n",
+    printf("%s: open it in a browser; chart.csv, views.csv, lines.csv and the pictures SCENE.svg and "
+           "SCENE-cost.svg lie beside it\n",
            output.page.path);
     return ok;
 }
@@ -239,13 +242,6 @@ static bool choose_jail(const ChartCommand *command, StudyPlan *plan, Jail *jail
     if (!command->submission || command->trusted)
         return true;
     return jail_choose(jail, JAIL_NONE, false, "chart", &plan->artists.jail);
-}
-
-static int list(void) {
-    for (int i = 0; study_scene(i); i++)
-        printf("%s\t%d\t%s\n", study_scene(i)->name, study_count_objects(study_scene(i)),
-               study_scene(i)->title);
-    return 0;
 }
 
 static int compare(char **paths) {
@@ -264,28 +260,26 @@ int main(int count, char **arguments) {
     if (command.compare)
         return compare(command.compared);
     if (command.list)
-        return list();
+        return scene_list_write(stdout), 0;
     ContextKind drawing = command.context; // CONTEXT_ANY stays: only who asks for EGL gets a GPU's times
     command_line_settle_context(&command_line, &drawing);
-    signal(SIGPIPE, SIG_IGN);
-    temporary_on_signals();
     char standard[FILES_PATH];
     places_build_path(standard, "study");
     plan.output = command.output ? command.output : standard;
     plan.size = command.size.width ? command.size
                 : command.quick    ? (MetricsSize){320, 240}
                                    : (MetricsSize){STUDY_WIDTH, STUDY_HEIGHT};
-    plan.counted = command.counted;
     plan.frames = command.frames ? command.frames : command.quick ? 6 : 30;
     plan.artists.context = command.context;
     plan.artists.without = command.without;
     plan.artists.submission_lab = command.lab[0] ? command.lab : NULL;
     plan.artists.submission = command.submission;
-    bool ok = choose_jail(&command, &plan, &jail) && study(&command, &plan);
+    const bool asked = has_scene(&command) && has_left_out(&command) && has_submission(&command);
+    const bool ok = asked && choose_jail(&command, &plan, &jail) && study(&command, &plan);
     if (!ok)
         fprintf(stderr, "\nchart: %s\n", check_message());
     lab_artists_dismiss(&plan.artists);
     measurements_close(&plan.state);
     jail_destroy(&jail);
-    return ok ? 0 : 1;
+    return ok ? 0 : asked ? 3 : 1;
 }

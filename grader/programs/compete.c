@@ -1,7 +1,6 @@
 // compete: ranks hand-ins of a lab by what their methods cost, without times. See compete/README.md.
 #include "base/command_line.h"
 #include "base/option_values.h"
-#include "base/temporary.h"
 #include "book/pseudonyms.h"
 #include "class/roster.h"
 #include "compete/board.h"
@@ -12,7 +11,6 @@
 #include "jail/jail_choose.h"
 #include "scene/check.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -156,7 +154,6 @@ static bool finish(Contest *contest, const Compete *command) {
 
 static int compete(const Compete *command) {
     static Contest contest;
-    temporary_on_signals();
     const bool ok =
         open_contest(&contest, command) &&
         (command->class ? run_class(&contest, command) : run(&contest, command->submission, "you")) &&
@@ -177,6 +174,5 @@ int main(int count, char **arguments) {
     static Compete command;
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &command.context);
-    signal(SIGPIPE, SIG_IGN);
     return compete(&command);
 }

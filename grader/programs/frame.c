@@ -7,12 +7,10 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "base/temporary.h"
 #include "protocol/description.h"
 #include "protocol/request_options.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -212,8 +210,6 @@ int main(int count, char **arguments) {
         .request = {.magic = PROTOCOL_MAGIC, .width = 480, .height = 360, .view = VIEW_PICTURE}};
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &command.context);
-    signal(SIGPIPE, SIG_IGN);
-    temporary_on_signals();
     char folder[FILES_PATH];
     Rubric rubric = {0};
     bool found = places_find_lab(folder, command.lab), known = found && rubric_load(&rubric, folder);

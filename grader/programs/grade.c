@@ -13,11 +13,9 @@
 #include "report/evidence_files.h"
 #include "base/command_line.h"
 #include "base/option_values.h"
-#include "base/temporary.h"
 #include "grade/session.h"
 #include "report/report.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -219,7 +217,6 @@ static int grade_submission(const GradeCommand *command) {
     static Jail jail;
     Report report = {0};
     const ClassSettings *settings = &command->class;
-    temporary_on_signals();
     session.options = (GradeOptions){.context = settings->context,
                                      .seconds = settings->seconds,
                                      .seed = settings->seed,
@@ -284,7 +281,6 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, &command, count, arguments);
     if (draws(&command))
         command_line_settle_context(&command_line, &command.class.context);
-    signal(SIGPIPE, SIG_IGN);
     const int status = grade(&command);
     free(command.class.only);
     return status;

@@ -6,12 +6,10 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "base/temporary.h"
 #include "proof/lab_mutants.h"
 #include "scene/check.h"
 #include "base/limits.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -68,8 +66,6 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, &run, count, arguments);
     if (!run.list)
         command_line_settle_context(&command_line, &context);
-    signal(SIGPIPE, SIG_IGN);
-    temporary_on_signals();
     if (!run.list)
         printf("| lab | made | compiled | killed | equal | survived | killed or equal, %% |\n"
                "|---|---|---|---|---|---|---|\n");

@@ -3,13 +3,11 @@
 #include "base/csv_write.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "base/temporary.h"
 #include "compile/rubric_file.h"
 #include "exam/handed_out.h"
 #include "points/own_points.h"
 #include "scene/check.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -107,8 +105,6 @@ int main(int count, char **arguments) {
     char folder[FILES_PATH];
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &command.context);
-    signal(SIGPIPE, SIG_IGN);
-    temporary_on_signals();
     const bool known = places_find_lab(folder, command.lab) && rubric_load(&points.rubric, folder) &&
                        recorded_study_load(&points.study, &points.rubric);
     bool ok = known && open_labs(&points, &command);

@@ -10,9 +10,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "base/temporary.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -137,8 +135,6 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &command.context);
     Proof proof = {.seeds = command.seeds, .context = command.context};
-    signal(SIGPIPE, SIG_IGN);
-    temporary_on_signals();
     printf(
         "| lab | kind | name | lowest %% | highest %% | verdict over %d seeds |\n|---|---|---|---|---|---|\n",
         proof.seeds);

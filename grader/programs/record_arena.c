@@ -9,7 +9,6 @@
 #include "study/study_scene.h"
 #include "study/views.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -122,7 +121,6 @@ int main(int count, char **arguments) {
     ContextKind drawing = CONTEXT_ANY;
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &drawing);
-    signal(SIGPIPE, SIG_IGN);
     if (record(&command))
         return 0;
     fprintf(stderr, "record_arena: %s\n", check_message());

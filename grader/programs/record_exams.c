@@ -9,7 +9,6 @@
 #include "exam/exam_file.h"
 
 #include <jansson.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -138,7 +137,6 @@ int main(int count, char **arguments) {
     ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &context);
-    signal(SIGPIPE, SIG_IGN);
     bool ok = record_all(&command);
     if (!ok)
         fprintf(stderr, "record_exams: %s\n", check_message());

@@ -13,7 +13,6 @@
 #include "study/views.h"
 
 #include <jansson.h>
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -196,7 +195,6 @@ int main(int count, char **arguments) {
     ContextKind drawing = CONTEXT_ANY; // it stays so: only who asks for EGL gets a GPU's times
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &drawing);
-    signal(SIGPIPE, SIG_IGN);
     if (record_lab(&command))
         return 0;
     fprintf(stderr, "record_study: %s\n", check_message());

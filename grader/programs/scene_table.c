@@ -9,9 +9,7 @@
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
-#include "base/temporary.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -169,8 +167,6 @@ int main(int count, char **arguments) {
     ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &table, count, arguments);
     command_line_settle_context(&command_line, &context);
-    signal(SIGPIPE, SIG_IGN);
-    temporary_on_signals();
     printf("%s", table.power
                      ? "| lab | scene | what | without it |\n|---|---|---|---|\n"
                      : "| lab | scene | planes | boxes | spheres | arches | triangles | least need, % |\n"

@@ -8,7 +8,6 @@
 #include "stability/row_json.h"
 #include "stability/suite_html.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -167,6 +166,5 @@ int main(int count, char **arguments) {
     ContextKind context = CONTEXT_ANY; // whoever draws settles it in the same way
     command_line_take(&command_line, &command, count, arguments);
     command_line_settle_context(&command_line, &context);
-    signal(SIGPIPE, SIG_IGN);
     return run(&command);
 }

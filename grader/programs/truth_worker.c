@@ -93,7 +93,7 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, NULL, count, arguments);
     static Request request;
     static Reply reply;
-    reply = (Reply){.magic = PROTOCOL_MAGIC, .drawn = true};
+    reply = (Reply){.magic = PROTOCOL_READY, .drawn = true};
     if (!pipe_write(PROTOCOL_REPLIES, &reply, sizeof reply))
         return 1;
     while (pipe_read(PROTOCOL_REQUESTS, &request, sizeof request)) {

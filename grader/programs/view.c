@@ -259,7 +259,6 @@ int main(int count, char **arguments) {
     view.options = (AppOptions){.seed = 1, .seconds = 10, .request = {.width = 800, .height = 600}};
     command_line_take(&view_command_line, &view.options, count, arguments);
     command_line_settle_context(&view_command_line, &view.options.context);
-    signal(SIGPIPE, SIG_IGN);
     signal(SIGINT, on_signal);
     signal(SIGTERM, on_signal);
     signal(SIGHUP, on_signal);

@@ -2,6 +2,7 @@
 // grader/watch/README.md.
 #include "base/file_watch.h"
 #include "scene/check.h"
+#include "base/color.h"
 #include "base/command_line.h"
 #include "base/option_values.h"
 #include "base/places.h"
@@ -12,11 +13,9 @@
 #include "watch/terminal.h"
 #include "watch/viewer.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 enum { EXIT_DONE, EXIT_OPEN, EXIT_FAULT = 3, LOOK_EVERY = 40, PLAIN_WIDTH = 100, SCROLL = 4 };
 
@@ -27,8 +26,8 @@ typedef struct Watch {
     FileWatch changes[COURSE_MAX_LABS];
     bool entered; // the current lab was just chosen, and is to be graded
     bool listing, dirty, end;
-    int marked; // in the list
-    int top;    // the first line of the lab's screen that is shown
+    int marked;        // in the list
+    int top, list_top; // the first lines of the lab's screen and of the list that are shown
     bool color;
 } Watch;
 
@@ -181,14 +180,15 @@ static void draw(Watch *watch) {
     int columns, rows;
     terminal_size(&columns, &rows);
     sheet_begin(&sheet, columns);
+    int *top = watch->listing ? &watch->list_top : &watch->top;
     if (watch->listing)
-        screens_list(&sheet, &watch->board, watch->marked);
+        *top = sheet_top_with(&sheet, screens_list(&sheet, &watch->board, watch->marked), *top, rows);
     else
         screens_lab(&sheet, &watch->board, watch->grading.busy);
-    const int last = watch->listing ? 0 : sheet_last_top(&sheet, rows);
-    watch->top = watch->top > last ? last : watch->top < 0 ? 0 : watch->top;
+    const int last = sheet_last_top(&sheet, rows);
+    *top = *top > last ? last : *top < 0 ? 0 : *top;
     screens_footer(footer, sizeof footer, &watch->board, watch->listing, watch->grading.busy);
-    sheet_show(&sheet, watch->listing ? 0 : watch->top, footer, columns, rows, watch->color);
+    sheet_show(&sheet, *top, footer, columns, rows, watch->color);
     watch->dirty = false;
 }
 
@@ -230,8 +230,8 @@ static void print_once(Watch *watch) {
 static void print_list(Watch *watch) {
     static Sheet sheet;
     sheet_begin(&sheet, PLAIN_WIDTH);
-    screens_list(&sheet, &watch->board, -1);
-    sheet_print(&sheet, stdout, isatty(STDOUT_FILENO) && watch->color);
+    (void)screens_list(&sheet, &watch->board, -1);
+    sheet_print(&sheet, stdout, watch->color);
     if (watch->board.message[0])
         printf("\n%s\n", watch->board.message);
 }
@@ -240,7 +240,7 @@ static int run(Watch *watch, const WatchCommand *command) {
     if (command->begin_again)
         return lab_board_begin_again(&watch->board, watch->board.current) ? EXIT_DONE : EXIT_FAULT;
     if (command->answer)
-        return after_lab_print(&watch->board, isatty(STDOUT_FILENO) && watch->color) ? EXIT_DONE : EXIT_OPEN;
+        return after_lab_print(&watch->board, watch->color) ? EXIT_DONE : EXIT_OPEN;
     if (command->predict)
         return predict_first_print(&watch->board) ? EXIT_DONE : EXIT_FAULT;
     if (command->list) {
@@ -279,7 +279,6 @@ int main(int count, char **arguments) {
     command_line_take(&command_line, &command, count, arguments);
     if (!command.list && !command.answer && !command.begin_again)
         command_line_settle_context(&command_line, &command.grading.context);
-    signal(SIGPIPE, SIG_IGN);
     if (!lab_board_create(&watch.board, command.folder, command.lab[0] ? command.lab : NULL)) {
         fprintf(stderr, "watch: %s\n", check_message());
         lab_board_destroy(&watch.board);
@@ -288,7 +287,7 @@ int main(int count, char **arguments) {
     command.grading.folder = command.folder;
     command.grading.rubrics = watch.board.rubrics;
     watch.grading.options = command.grading;
-    watch.color = !getenv("NO_COLOR");
+    watch.color = color_wanted(stdout);
     const int status = run(&watch, &command);
     grading_process_stop(&watch.grading);
     lab_board_destroy(&watch.board);

@@ -1,5 +1,6 @@
 // What a client and the worker say to each other, through two pipes on one machine: first, unasked, a Reply
-// that the worker is ready (drawn: 1) or why not; no code of a lab's has run by then. Then for each Request
+// with the magic PROTOCOL_READY that the worker is ready (drawn: 1) or why not; no code of a lab's has run by
+// then. Then for each Request
 // one Reply, followed by exactly width * height * 4 bytes of RGBA pixels (top row first), also when the lab
 // failed; or, when the request asks for it, by a Description.
 //
@@ -100,3 +101,8 @@ typedef struct Description {
     int32_t pass_kinds[LAB_MAX_PASSES]; // PassKind
     int32_t knob_count, pass_count, stage_count;
 } Description;
+
+// The magic of a worker's first Reply. It tells a worker of another build, whose records have other sizes, so
+// that the two would wait for each other: a client reads these four bytes first.
+#define PROTOCOL_READY                                                                                       \
+    ((uint32_t)(PROTOCOL_MAGIC ^ (sizeof(Request) + 31 * sizeof(Reply) + 1021 * sizeof(Description))))

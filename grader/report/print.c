@@ -1,12 +1,12 @@
 #include "report/report.h"
 
+#include "base/color.h"
 #include "scene/check.h"
 #include "scene/count.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
-#include <unistd.h>
 
 static const char *const formats[] = {"text", "json", "html", "gradescope", "check50"};
 
@@ -42,7 +42,7 @@ static bool print_html(const Report *report, FILE *out) {
 bool report_print(const Report *report, ReportFormat format, FILE *out) {
     bool ok = true;
     if (format == REPORT_TEXT)
-        report_text(report, out, isatty(fileno(out)) && !getenv("NO_COLOR"), columns_of(out));
+        report_text(report, out, color_wanted(out), columns_of(out));
     else if (format == REPORT_HTML)
         ok = print_html(report, out);
     else if (format == REPORT_GRADESCOPE)

@@ -5,8 +5,9 @@ function setSize() {
   size = {width: narrow.matches ? 400 : 760, height: 500, left: 64, right: 14, top: 14, bottom: 46};
 }
 setSize();
-const time = p => byShade.checked ? p.shade : p.ms, mad = p => byShade.checked ? p.shadeMad : p.mad;
-const byShade = document.getElementById('shade'), figure = document.getElementById('figure');
+const across = document.getElementById('across'), figure = document.getElementById('figure');
+const time = p => p[across.value], mad = p => ({ms: p.mad, shade: p.shadeMad, cost: 0})[across.value];
+const isCost = () => across.value === 'cost';
 const digits = x => x === 0     ? '0'
                     : x >= 1000 ? Math.round(x).toLocaleString('en')
                                 : Number(x.toPrecision(3)).toString();
@@ -63,7 +64,7 @@ function drawAxes(svg, scene, x, y) {
   back.append(
       make('rect', {class: 'axis', x: size.left, y: size.top, width: right - size.left, height: bottom - size.top}),
       make('text', {x: (size.left + right) / 2, y: size.height - 8, 'text-anchor': 'middle'},
-           `${scene.clock} time of a frame, ms`),
+           isCost() ? 'counted cost a pixel' : `${scene.clock} time of a frame, ms`),
       make('text',
            {x: 14, y: size.height / 2, transform: `rotate(-90 14 ${size.height / 2})`, 'text-anchor': 'middle'},
            figure.selectedOptions[0].textContent));
@@ -75,8 +76,8 @@ const labOf = p => p.traced ? 'no lab' : `lab ${p.lab}`;
 
 function drawFront(svg, points, x, y) {
   const front = points.filter(p => p.front && !p.submission);
-  if (byShade.checked || front.length === 0)
-    return; // the front is that of whole frames
+  if (across.value !== 'ms' || front.length === 0)
+    return; // the front is that of whole frames' times
   let path = `M${x.place(time(front[0]))},${y.place(errorOf(front[0]))}`;
   for (const p of front.slice(1))
     path += `H${x.place(time(p))}V${y.place(errorOf(p))}`;
@@ -85,7 +86,7 @@ function drawFront(svg, points, x, y) {
 
 function describe(p) {
   return `${p.submission ? 'submission, ' : ''}${p.method}, ${p.setting}, ${labOf(p)}: ${
-             digits(time(p))} ms, error ${percent(p[figure.value])}` +
+             digits(time(p))} ${isCost() ? 'a pixel' : 'ms'}, error ${percent(p[figure.value])}` +
          (p.front ? ', on the front' : '') + (p.chosen ? ', what this scene needs' : '');
 }
 
@@ -202,8 +203,8 @@ function numbers(scene, p) {
     rows.push(['changes beyond the truth\'s, a frame: the light turns', percent(p.turning)],
               ['the same: the camera moves', percent(p.moving)]);
   const costs =
-      [['taps a pixel', p.taps], ['texels', p.texels], ['fragments of volumes', p.fragments], ['rays', p.rays],
-       ['bytes of maps and textures', p.bytes], ['all of them, counted in lookups (a model)', p.counted]];
+      [['reads a pixel', p.taps], ['texels cleared or baked', p.texels], ['fragments', p.fragments], ['rays of the bake', p.rays],
+       ['bytes of maps and textures', p.bytes], ['cost: reads, texels, fragments, rays x 100', p.counted]];
   rows.push(...costs.filter(([, cost]) => cost > 0).map(([name, cost]) => [name, digits(cost)]));
   return make(
       'table', {},
@@ -239,8 +240,8 @@ function show(panel, scene, p) {
 
 function tableOf(scene, points) {
   const heads = [
-    'method and setting', 'lab', 'ms', 'MAD', 'picture, ms', 'error', 'RMSE', 'FLIP', 'edge off, px', 'taps', 'texels', 'fragments',
-    'rays', 'bytes', 'counted', ...(scene.moves ? ['light turns', 'camera moves'] : []), 'front', 'enough'
+    'method and setting', 'lab', 'ms', 'MAD', 'picture, ms', 'error', 'RMSE', 'FLIP', 'edge off, px', 'reads', 'texels', 'fragments',
+    'rays', 'bytes', 'cost', ...(scene.moves ? ['light turns', 'camera moves'] : []), 'front', 'enough'
   ];
   const row =
       p => [`${p.submission ? 'submission: ' : ''}${p.method}, ${p.setting}`, p.lab, digits(p.ms), digits(p.mad),
@@ -268,8 +269,10 @@ function legend(points) {
 function drawChart(scene, points, chosen, choose) {
   const svg = make(
       'svg', {viewBox: `0 0 ${size.width} ${size.height}`, role: 'group', 'aria-label': `Chart: ${scene.title}`});
-  const x = axis(points.flatMap(p => [time(p), time(p) + mad(p)]).map(t => Math.max(t, 1e-3)), size.left,
-                 size.width - size.right, narrow.matches ? [1, 3] : [1, 1.5, 2, 3, 5, 7]);
+  const times = points.flatMap(p => [time(p), time(p) + mad(p)]).map(t => Math.max(t, 1e-3));
+  const wide = Math.max(...times) > 300 * Math.min(...times); // numbers of all steps would run into each other
+  const x = axis(times, size.left, size.width - size.right,
+                 narrow.matches ? (wide ? [1] : [1, 3]) : wide ? [1, 3] : [1, 1.5, 2, 3, 5, 7]);
   const errors = [...points, ...scene.lines.filter(line => line.floor)].map(errorOf),
         few = Math.max(...errors) < 100 * Math.min(...errors);
   const y = axis(errors, size.height - size.bottom, size.top, few ? [1, 2, 5] : [1]), places = placeMarks(points, x, y);
@@ -278,7 +281,7 @@ function drawChart(scene, points, chosen, choose) {
   drawFront(svg, points, x, y);
   drawCurves(svg, points, x, y);
   drawLines(svg, scene, y, taken);
-  const list = make('g', {role: 'listbox', 'aria-label': `Settings of ${scene.title}, by time`}),
+  const list = make('g', {role: 'listbox', 'aria-label': `Settings of ${scene.title}, by time or cost`}),
         marks = points.map((p, i) => drawPoint(p, x, y, places[i]));
   const select = (i, focus) => {
     marks.forEach((mark, j) => {
@@ -317,19 +320,20 @@ function drawChart(scene, points, chosen, choose) {
 }
 
 function drawScene(scene) {
+  scene.points.forEach(p => p.cost = p.counted / (scene.width * scene.height));
   const chart = make('div'),
         panel = make('section', {'aria-live': 'polite', 'aria-label': `The setting, ${scene.title}`});
   let current = scene.points.find(p => p.chosen) || scene.points[0];
   const draw = () => {
     const all = [...scene.points].sort((a, b) => time(a) - time(b));
     const most = beyond * Math.max(...all.filter(p => !p.traced).map(p => p.ms));
-    const points = all.filter(p => !p.traced || p.ms <= most);
+    const points = all.filter(p => isCost() ? p.cost > 0 : !p.traced || p.ms <= most); // rays of the truth are not counted
     chart.replaceChildren(drawChart(scene, points, current, p => {
                             current = p;
                             show(panel, scene, p);
                           }), legend(points), tableOf(scene, all));
   };
-  byShade.addEventListener('change', draw);
+  across.addEventListener('change', draw);
   figure.addEventListener('change', draw);
   narrow.addEventListener('change', () => {
     setSize();

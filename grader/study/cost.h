@@ -3,6 +3,5 @@
 
 #include "study/finding.h"
 
-// From the setting and the scene. `partial` is the share of the picture's pixels that are neither wholly lit
-// nor wholly dark: with early-out exactly these take all taps.
-Cost cost_of(const Method *method, const Scene *scene, MetricsSize size, double partial);
+// From what was counted of a frame (counted_frame.h), and what the setting says of its bake and its memory.
+Cost cost_of(const Method *method, const Scene *scene, MetricsSize size, const MeasuredErrors *counted);

@@ -134,6 +134,7 @@ const int32_t *lab_artist_pass_kinds(LabArtist *artist) {
 
 void lab_artist_close(LabArtist *artist) {
     worker_client_stop(&artist->client);
+    worker_client_stop(&artist->counter);
     if (artist->client.folder[0])
         files_remove(artist->client.folder);
     painters_destroy(&artist->roster);

@@ -10,6 +10,7 @@ typedef struct LabArtist {
     Painters roster;        // ours: the worker and what it draws with
     const Painter *painter; // ours: whom lab_artist_draw asks; NULL for a submission
     WorkerClient client;    // a submission's worker
+    WorkerClient counter;   // whose frames are counted: counted_frame.h
     Description table;      // ours: of the lab, once lab_artist_pass_kinds asked for it
     char renderer[128];     // as the last frame's Reply has it
     int without;            // 1 + the number of an object that is left out of all scenes; 0: none

@@ -149,7 +149,7 @@ static void sum_up(const StudyPlan *plan, const TruthView *truth_view, SceneFind
         finding_time(finding, &findings->points[i], times, count);
         finding_errors(finding);
         finding->cost =
-            cost_of(&finding->method, &truth_view->truth.scene, truth_view->size, finding->errors.partial);
+            cost_of(&finding->method, &truth_view->truth.scene, truth_view->size, &finding->views[0]);
     }
     free(times);
     findings_judge(findings);

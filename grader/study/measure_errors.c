@@ -3,13 +3,14 @@
 
 #include "base/hash.h"
 #include "scene/check.h"
+#include "study/counted_frame.h"
 #include "study/edge.h"
 #include "study/pictures.h"
 #include "study/rays.h"
 
 #include <string.h>
 
-enum { VERSION = 5 }; // of what is measured
+enum { VERSION = 6 }; // of what is measured
 
 // What is measured, as a number: the same only for the same frame of the same scene by the same code.
 static uint64_t make_key(const StudyPlan *plan, uint64_t hash, const TruthView *truth_view,
@@ -68,7 +69,12 @@ static bool measure_motion(const StudyView *view, const StudyScene *scene, LabAr
     return ok;
 }
 
-// Measures one view; its picture is kept under `path`, NULL: not.
+static bool count(LabArtist *artist, const StudyView *view, const Method *method, MeasuredErrors *errors) {
+    const Request request = truth_view_request(&view->truth_view, &method->setting);
+    return counted_frame(artist, &request, errors);
+}
+
+// Measures one view; its picture is kept under `path`, and its frame counted. NULL: neither.
 static bool measure(StudyPlan *plan, LabArtist *artist, const StudyView *view, const StudyScene *scene,
                     Method *method, uint64_t key, const char *path, MeasuredErrors *errors) {
     Measured frame = {0};
@@ -77,7 +83,8 @@ static bool measure(StudyPlan *plan, LabArtist *artist, const StudyView *view, c
                            : truth_view_measure(&view->truth_view, artist, &method->setting, true, &frame);
     ok = ok && view_compare(view, scene, &method->setting, &frame, errors) &&
          measure_motion(view, scene, artist, method, errors) &&
-         (!path || pictures_write(path, view->truth_view.size, frame.visibility, NULL)) &&
+         (!path || (pictures_write(path, view->truth_view.size, frame.visibility, NULL) &&
+                    (method->rays || count(artist, view, method, errors)))) &&
          measurements_add_errors(&plan->state, key, errors);
     measured_destroy(&frame);
     return ok;

@@ -5,16 +5,17 @@
 #include <stdint.h>
 #include <stdio.h>
 
-// How far a setting's frame is from the truth. All but `off` are means over the pixels that count, 0..1.
+// How far a setting's frame is from the truth, and what it costs. Errors but `off` are means over the pixels
+// that count, 0..1.
 typedef struct MeasuredErrors {
     double edge_false_shadow, edge_false_light, interior_false_shadow, interior_false_light;
     double off;     // mean distance of the edge from the true one, pixels
-    double partial; // share of the pixels that are neither wholly lit nor wholly dark
     double rmse;    // root of the mean of squares
     double flip;    // mean of FLIP (truth/flip.h) of a white scene that the light falls on
     double center;  // mean difference to the truth at the pixels' centres
     double turning; // mean of what changes beyond the truth's changes, a frame: the light turns (motion.h)
     double moving;  // the same: the camera moves
+    double reads, fragments, cleared; // counted of the first view's frame (counted_frame.h); 0 of the others
 } MeasuredErrors;
 
 enum { MEASURED_FIGURES = sizeof(MeasuredErrors) / sizeof(double) }; // all of them are double

@@ -10,7 +10,7 @@ static Method *add(MethodList *list, const char *lab, const char *family) {
     INVARIANT(list->count < METHOD_MOST);
     Method *method = &list->methods[list->count++];
     *method = (Method){
-        .lab = lab, .family = family, .setting = {.view = VIEW_VISIBILITY, .object = TRUTH_NONE}, .taps = 1};
+        .lab = lab, .family = family, .setting = {.view = VIEW_VISIBILITY, .object = TRUTH_NONE}, .maps = 1};
     return method;
 }
 

@@ -12,14 +12,17 @@ enum { METHOD_NAME = 48, METHOD_MOST = 160 };
     "no shadow" // the family of a frame without any: what all others cost beyond it is their shadow
 #define METHOD_NO_EDGE 1e-3F // a width of the edge that no pixel has: the boundary begins at half a pixel
 
-// What a frame costs on any machine, as the setting has it.
+// What a frame costs on any machine: what is counted while it is drawn, and what the setting says of what no
+// counter sees.
 typedef struct Cost {
-    double taps;      // lookups of a pixel in the map or atlas; with early-out the mean over the picture
-    double texels;    // of the map or the atlas
-    double fragments; // of the shadow volumes, hidden or not
+    double taps;      // counted: reads of textures, a pixel of the picture
+    double fragments; // counted: all that are shaded, of maps, volumes and the picture
+    double texels;    // counted: that a clear writes; and those of a bake's atlas
+    double atlas;     // texels that a bake fills
     double rays;      // of a bake
-    double bytes;     // of maps, atlases and what is as large as the picture, without the picture itself
-    double counted;   // one number for all of them, by the weights in cost.c: a model
+    double held;      // bytes of maps and atlases
+    double bytes;     // those and what is as large as the picture, without the picture itself
+    double counted;   // one number for all of them, by the weights in cost.c
 } Cost;
 
 typedef struct Method {
@@ -30,13 +33,12 @@ typedef struct Method {
     const Change *change; // the lab with a choice fixed when it is built, static; NULL: the lab as it is
     int map_size;         // texels along a side; 0: no shadow map
     float kernel;         // farthest tap from the point, texels
-    int taps;             // lookups of a pixel
-    int first;            // early-out: the taps after which it may stop; 0: none
-    bool volumes;         // draws shadow volumes
+    int maps;             // of that size
+    int map_bytes;        // of a texel; 0: as the knob "depth format" says, and 4 where there is none
     int picture_bytes;    // a pixel, of textures that the method keeps as large as the picture
-    int texel_bytes;      // of the atlas; of a map its knob "depth format" says it, and 4 where there is none
+    int texel_bytes;      // of the atlas
     bool by_processor;    // what comes before the picture is worked out without the GPU, as a bake's rays are
-    // Adds what only its lab can count to the cost; NULL: nothing.
+    // Adds what a bake costs: its atlas and its rays. NULL: nothing.
     void (*add_cost)(Cost *cost, const struct Method *method, const Scene *scene);
     int rays; // a pixel, of ray tracing; 0: a lab draws
     bool submission;

@@ -15,7 +15,6 @@ void rays_add_methods(MethodList *list) {
         Method *method = method_add(list, METHOD_RAYS, "ray tracing",
                                     rays == 1 ? "%d ray a pixel" : "%d rays a pixel", rays);
         method->rays = rays;
-        method->taps = 0;
     }
 }
 

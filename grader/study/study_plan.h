@@ -8,7 +8,6 @@
 typedef struct StudyPlan {
     MetricsSize size;
     int frames;         // of each setting
-    bool counted;       // costs are counted
     const char *output; // folder; pictures go to output/frames/KEY.png
     LabArtists artists;
     char renderer[128]; // that draws, as Reply has it; known once a scene was measured

@@ -38,14 +38,12 @@ static bool costs_as_little(const Point *point, const Point *cheapest) {
     return point->ms <= SAME_COST * cheapest->ms || !pareto_surely_faster(cheapest, point);
 }
 
-// Of two settings that take the same time, the one that holds less, then counts less, then errs less.
+// Of two settings that take the same time, the one whose maps and atlases are smaller, then the one that
+// costs less, then the one that errs less.
 static bool is_less(const SceneFindings *findings, int a, int b) {
     const Cost *x = &findings->findings[a].cost, *y = &findings->findings[b].cost;
-    const double pairs[][2] = {{x->texels, y->texels},
-                               {x->rays, y->rays},
-                               {x->fragments, y->fragments},
-                               {x->taps, y->taps},
-                               {findings->points[a].error, findings->points[b].error}};
+    const double pairs[][2] = {
+        {x->held, y->held}, {x->counted, y->counted}, {findings->points[a].error, findings->points[b].error}};
     for (size_t i = 0; i < COUNT(pairs); i++)
         if (pairs[i][0] != pairs[i][1])
             return pairs[i][0] < pairs[i][1];

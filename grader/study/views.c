@@ -192,17 +192,13 @@ static bool measure_flip(const StudyView *view, const Measured *frame, double *m
     return ok;
 }
 
-// Mean difference to the truth at the pixels' centres, and the share of pixels that are neither wholly lit
-// nor wholly dark.
+// Mean difference to the truth at the pixels' centres.
 static void sum_pixels(const TruthView *truth_view, const Measured *frame, MeasuredErrors *errors) {
     size_t pixels = (size_t)truth_view->size.width * (size_t)truth_view->size.height;
     double count = fmax((double)frame->metrics.all.pixels, 1);
     for (size_t i = 0; i < pixels; i++)
-        if (frame->mask[i]) {
-            float lit = frame->visibility[i];
-            errors->partial += (lit > 0 && lit < 1) / count;
-            errors->center += fabs((double)(lit - truth_view->center[i])) / count;
-        }
+        if (frame->mask[i])
+            errors->center += fabs((double)(frame->visibility[i] - truth_view->center[i])) / count;
 }
 
 bool view_compare(const StudyView *view, const StudyScene *scene, const Setting *setting, Measured *frame,

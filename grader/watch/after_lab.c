@@ -10,12 +10,12 @@ enum { PRINTED_WIDTH = 100 };
 void after_lab_show_done(Sheet *sheet, const LabBoard *board) {
     const int next = lab_board_next(board);
     if (next < 0)
-        sheet_line(sheet, STYLE_GOOD, "  This lab is done, and all others are.");
+        sheet_wrapped(sheet, STYLE_GOOD, 2, "This lab is done, and all others are.");
     else
-        sheet_line(sheet, STYLE_GOOD, "  This lab is done. n goes on to lab %s: %s.", board->rubrics[next].id,
-                   board->rubrics[next].title);
-    sheet_line(sheet, STYLE_PLAIN, "  `make hand-in LAB=%s` packs what you hand in.",
-               board->rubrics[board->current].id);
+        sheet_wrapped(sheet, STYLE_GOOD, 2, "This lab is done. n goes on to lab %s: %s.",
+                      board->rubrics[next].id, board->rubrics[next].title);
+    sheet_wrapped(sheet, STYLE_PLAIN, 2, "`make hand-in LAB=%s` packs what you hand in.",
+                  board->rubrics[board->current].id);
 }
 
 static void show_head(Sheet *sheet, const char *head) {
@@ -57,10 +57,10 @@ void after_lab_show(Sheet *sheet, const LabBoard *board, int lab) {
         show_parts(sheet, "Another way", &afterword->other_way, 1);
     }
     if (!handed_out_alone())
-        sheet_line(sheet, STYLE_PLAIN, "  Our solution, to compare: solutions/%s",
-                   strrchr(board->rubrics[lab].folder, '/') + 1);
+        sheet_wrapped(sheet, STYLE_PLAIN, 2, "Our solution, to compare: solutions/%s",
+                      strrchr(board->rubrics[lab].folder, '/') + 1);
     show_head(sheet, "Your pictures");
-    sheet_line(sheet, STYLE_PLAIN, "  `make showcase` draws all your labs and puts them on one page.");
+    sheet_wrapped(sheet, STYLE_PLAIN, 2, "`make showcase` draws all your labs and puts them on one page.");
 }
 
 bool after_lab_print(const LabBoard *board, bool color) {
@@ -71,7 +71,7 @@ bool after_lab_print(const LabBoard *board, bool color) {
     if (done)
         after_lab_show(&sheet, board, board->current);
     else
-        sheet_line(&sheet, STYLE_PLAIN, "Lab %s is not done yet; `make watch LAB=%s` goes on.", id, id);
+        sheet_wrapped(&sheet, STYLE_PLAIN, 0, "Lab %s is not done yet; `make watch LAB=%s` goes on.", id, id);
     sheet_print(&sheet, stdout, color);
     return done;
 }

@@ -51,8 +51,8 @@ static void show_table(Sheet *sheet, const OwnTable *table, const Rubric *rubric
     int shown = 0;
     for (int row = 0; row < table->count && shown < SCENES; row = own_table_next_scene(table, row), shown++)
         show_scene(sheet, table, row);
-    sheet_line(sheet, STYLE_PLAIN, "  The chart, with all settings: build/study-%s.html%s", rubric->id,
-               old ? " (older than your files: make study again)" : "");
+    sheet_wrapped(sheet, STYLE_PLAIN, 2, "The chart, with all settings: build/study-%s.html%s", rubric->id,
+                  old ? " (older than your files: make study again)" : "");
 }
 
 static void show_head(Sheet *sheet) {
@@ -71,9 +71,9 @@ void after_points_show(Sheet *sheet, const Rubric *rubric, const char *folder) {
         show_table(sheet, &table, rubric, is_old(rubric, folder, numbers));
     } else if (files_exists(index)) {
         show_head(sheet);
-        sheet_line(sheet, STYLE_PLAIN,
-                   "  `make study LAB=%s SUBMISSION=labs` measures them and charts them beside ours.",
-                   rubric->id);
+        sheet_wrapped(sheet, STYLE_PLAIN, 2,
+                      "`make study LAB=%s SUBMISSION=labs` measures them and charts them beside ours.",
+                      rubric->id);
     }
     own_table_destroy(&table);
     check_clear();

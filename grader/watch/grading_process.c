@@ -144,7 +144,6 @@ static _Noreturn void serve(const GradingOptions *options, const char *folder, i
     terminal_forget();
     setenv("TMPDIR", folder, 1);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
-    signal(SIGPIPE, SIG_IGN);
     while (read(requests, &lab, sizeof lab) == sizeof lab) {
         grade(&verdict, &kept, lab, options, verdicts);
         send_verdict(&verdict, verdicts);
@@ -158,6 +157,7 @@ static _Noreturn void serve(const GradingOptions *options, const char *folder, i
 
 static bool start(GradingProcess *grading) {
     int requests[2], verdicts[2];
+    signal(SIGPIPE, SIG_IGN); // it can have died when it is asked
     if (!files_make_temporary(grading->folder))
         return false;
     if (pipe2(requests, O_CLOEXEC) != 0)

@@ -45,11 +45,11 @@ void predict_first_show(Sheet *sheet, const LabBoard *board) {
     const char *above = strrchr(board->folder, '/') ? strrchr(board->folder, '/') + 1 : board->folder;
     const int most = predictions_max_points(predictions);
     if (predictions_open(predictions))
-        sheet_line(sheet, STYLE_NOTE, "  Predict first: %.100s/%.100s/" PREDICTION_FILE " (%d points)", above,
-                   strrchr(folder, '/') + 1, most);
+        sheet_wrapped(sheet, STYLE_NOTE, 2, "Predict first: %.100s/%.100s/" PREDICTION_FILE " (%d points)",
+                      above, strrchr(folder, '/') + 1, most);
     else
-        sheet_line(sheet, STYLE_PLAIN, "  Predictions: %d of %d points", predictions_points(predictions),
-                   most);
+        sheet_wrapped(sheet, STYLE_PLAIN, 2, "Predictions: %d of %d points", predictions_points(predictions),
+                      most);
     if (predictions->message[0])
         sheet_text(sheet, STYLE_BAD, 2, predictions->message);
     for (int n = 0; n < predictions->count; n++) {

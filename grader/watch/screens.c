@@ -8,7 +8,12 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { BAR = 24, WIDE_BAR = 40 };
+enum { BAR = 24, WIDE_BAR = 40, LEAST_BAR = 8 };
+enum { NAME = 48, TITLE = 31, LEAST_NAME = 8, POINTS = 12 }; // columns of names, and of " 99.9 of 100"
+enum {
+    SHORT_REMARK = 16,
+    LONG_REMARK = 36
+}; // with what stands before a lab's title: "99 of 100", also when done
 
 // Points are rounded down: what is not whole must not look as if it were.
 static double round_down(double points, double step) {
@@ -24,12 +29,34 @@ static double share(double part, double whole) {
     return whole > 0 ? part / whole : 0;
 }
 
-static void show_total(Sheet *sheet, const LabBoard *board) {
+static int within(int value, int least, int most) {
+    return value < least ? least : value > most ? most : value;
+}
+
+// "[###...] " as wide as there is room beside `taken` columns, at most `width` between the brackets; "" where
+// that is too little to tell anything.
+static void fit_bar(char bar[WIDE_BAR + 8], const Sheet *sheet, int taken, int width, double share) {
+    const int room = within(sheet->columns - taken - (int)strlen("[] "), 0, width);
+    bar[0] = '\0';
+    if (room < LEAST_BAR)
+        return;
+    sheet_bar(bar, WIDE_BAR + 7, share, room);
+    strcat(bar, " ");
+}
+
+// A line in bold, with a bar between its two parts where there is room.
+static void show_share(Sheet *sheet, const char *before, const char *after, int width, double share) {
     char bar[WIDE_BAR + 8];
+    fit_bar(bar, sheet, (int)(strlen(before) + strlen(after)), width, share);
+    sheet_wrapped(sheet, STYLE_BOLD, 0, "%s%s%s", before, bar, after);
+}
+
+static void show_total(Sheet *sheet, const LabBoard *board) {
+    char points[100];
     const double score = lab_board_score(board), max_score = lab_board_max_score(board);
-    sheet_bar(bar, sizeof bar, share(score, max_score), sheet->columns < 96 ? BAR : WIDE_BAR);
-    sheet_line(sheet, STYLE_BOLD, "Shadow Lab  %s %.0f of %.0f points, %d of %d labs done", bar,
-               round_down(score, 1), max_score, lab_board_done(board), board->lab_count);
+    snprintf(points, sizeof points, "%.0f of %.0f points, %d of %d labs done", round_down(score, 1),
+             max_score, lab_board_done(board), board->lab_count);
+    show_share(sheet, "Shadow Lab  ", points, sheet->columns < 96 ? BAR : WIDE_BAR, share(score, max_score));
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
 }
 
@@ -48,21 +75,23 @@ static bool is_broken(const LabVerdict *verdict) {
 static void show_title(Sheet *sheet, const LabBoard *board) {
     const Rubric *rubric = &board->rubrics[board->current];
     const LabVerdict *verdict = &board->verdict;
-    char bar[WIDE_BAR + 8], change[32] = "";
+    char title[SHEET_WIDTH / 2], points[64], change[32] = "";
     if (!board->known || is_broken(verdict)) {
-        sheet_line(sheet, STYLE_BOLD, "Lab %s: %s", rubric->id, rubric->title);
+        sheet_wrapped(sheet, STYLE_BOLD, 0, "Lab %s: %s", rubric->id, rubric->title);
         return;
     }
     const double gained = verdict->score - board->score_before;
     if (board->score_before >= 0 && (gained >= 0.005 || gained <= -0.005))
         snprintf(change, sizeof change, "  (%+.3g)", gained);
-    sheet_bar(bar, sizeof bar, share(verdict->score, verdict->max_score), BAR);
-    sheet_line(sheet, STYLE_BOLD, "Lab %s: %s  %s %.0f of %.0f%s", rubric->id, rubric->title, bar,
-               round_down(verdict->score, 1), verdict->max_score, change);
+    snprintf(title, sizeof title, "Lab %s: %s  ", rubric->id, rubric->title);
+    snprintf(points, sizeof points, "%.0f of %.0f%s", round_down(verdict->score, 1), verdict->max_score,
+             change);
+    show_share(sheet, title, points, BAR, share(verdict->score, verdict->max_score));
 }
 
 static void show_checks(Sheet *sheet, const LabBoard *board) {
     const Rubric *rubric = &board->rubrics[board->current];
+    const int name = within(sheet->columns - SHEET_MARK - 5 - POINTS, LEAST_NAME, NAME);
     for (int c = 0; c < board->verdict.check_count; c++) {
         const VerdictCheck *result = &board->verdict.checks[c];
         const Check *check = &rubric->checks[c];
@@ -71,8 +100,9 @@ static void show_checks(Sheet *sheet, const LabBoard *board) {
                      result->passed            ? "  ok   "
                      : c == board->focus.check ? "> open "
                                                : "  open ",
-                     "%-5s %-48s %s of %d%s", check->task, check->name, points_text(points, result->points),
-                     check->points, check->optional ? " (optional)" : "");
+                     "%-5s %-*.*s %s of %d%s", check->task, name, name, check->name,
+                     points_text(points, result->points), check->points,
+                     check->optional ? " (optional)" : "");
     }
 }
 
@@ -94,11 +124,12 @@ static void show_focus(Sheet *sheet, const LabBoard *board) {
     const Focus *focus = &board->focus;
     const VerdictCheck *check = &board->verdict.checks[focus->check];
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
-    sheet_line(sheet, STYLE_BOLD, "Task %s%s%s", focus->task, focus->place[0] ? "  " : "", focus->place);
+    sheet_wrapped(sheet, STYLE_BOLD, 0, "Task %s%s%s", focus->task, focus->place[0] ? "  " : "",
+                  focus->place);
     const char *waiting = board->rubrics[board->current].checks[focus->check].task;
     if (check->undone && strchr(waiting, '.') && strcmp(waiting, focus->task) != 0)
-        sheet_line(sheet, STYLE_PLAIN, "  The check of task %s shows nothing before this one is done, too.",
-                   waiting);
+        sheet_wrapped(sheet, STYLE_PLAIN, 2,
+                      "The check of task %s shows nothing before this one is done, too.", waiting);
     else if (!check->undone || !focus->place[0])
         sheet_text(sheet, STYLE_BAD, 2, board->verdict.summary[0] ? board->verdict.summary : check->mistake);
     if (!check->undone && check->seen[0])
@@ -116,7 +147,7 @@ static void show_words(Sheet *sheet, const LabBoard *board) {
         return;
     lab_board_lab_folder(board, board->current, folder);
     sheet_line(sheet, STYLE_PLAIN, "%s", "");
-    sheet_line(sheet, STYLE_DIM, "in %s:", folder);
+    sheet_wrapped(sheet, STYLE_DIM, 0, "in %s:", folder);
     sheet_text(sheet, STYLE_BAD, 2, verdict->message);
     sheet_text(sheet, STYLE_NOTE, 2, verdict->warnings);
 }
@@ -151,7 +182,8 @@ static void show_row(Sheet *sheet, const LabBoard *board, int lab, bool marked) 
     const Rubric *rubric = &board->rubrics[lab];
     const LabProgress *progress = progress_find(&board->progress, rubric->id);
     char bar[WIDE_BAR + 8], remark[64] = "not begun";
-    sheet_bar(bar, sizeof bar, progress ? share(progress->score, progress->max_score) : 0, BAR);
+    const int title = within(sheet->columns - SHORT_REMARK, LEAST_NAME, TITLE);
+    fit_bar(bar, sheet, title + LONG_REMARK, BAR, progress ? share(progress->score, progress->max_score) : 0);
     if (progress)
         snprintf(remark, sizeof remark, "%.0f of %.0f", round_down(progress->score, 1), progress->max_score);
     if (progress && progress->best > progress->score)
@@ -160,13 +192,15 @@ static void show_row(Sheet *sheet, const LabBoard *board, int lab, bool marked) 
     if (progress && progress->done && progress->done_on[0])
         snprintf(remark + strlen(remark), sizeof remark - strlen(remark), ", done on %s", progress->done_on);
     sheet_marked(sheet, progress && progress->done ? STYLE_GOOD : STYLE_PLAIN, marked ? "> " : "  ",
-                 "%s %-32s %s %s", rubric->id, rubric->title, bar, remark);
+                 "%s %-*.*s %s%s", rubric->id, title, title, rubric->title, bar, remark);
 }
 
-void screens_list(Sheet *sheet, const LabBoard *board, int marked) {
+int screens_list(Sheet *sheet, const LabBoard *board, int marked) {
     show_total(sheet, board);
+    const int first = sheet->count;
     for (int i = 0; i < board->lab_count; i++)
         show_row(sheet, board, i, i == marked);
+    return first + marked;
 }
 
 void screens_footer(char *text, size_t size, const LabBoard *board, bool listing, bool busy) {

@@ -10,8 +10,8 @@
 // is being graded.
 void screens_lab(Sheet *sheet, const LabBoard *board, bool busy);
 
-// All labs with how far each is; `marked` gets an arrow (-1: none).
-void screens_list(Sheet *sheet, const LabBoard *board, int marked);
+// All labs with how far each is; `marked` gets an arrow (-1: none). Returns the line of the marked one.
+int screens_list(Sheet *sheet, const LabBoard *board, int marked);
 
 // The keys, and what happens just now.
 void screens_footer(char *text, size_t size, const LabBoard *board, bool listing, bool busy);

@@ -38,16 +38,25 @@ void sheet_marked(Sheet *sheet, Style mark_style, const char *mark, const char *
     va_end(arguments);
 }
 
-// How much of `text` (without its line's end) goes on a line of `width` characters: up to the last space that
-// fits, or, with none, `width`.
+// Bytes of the first `width` characters of a UTF-8 text.
+static int clip(const char *text, int width) {
+    int at = 0;
+    for (int seen = 0; text[at]; at++)
+        if ((text[at] & 0xc0) != 0x80 && ++seen > width)
+            break;
+    return at;
+}
+
+// How many bytes of `text` (without its line's end) go on a line of `width` characters: up to the last space
+// that fits, or, with none, `width`.
 static int break_at(const char *text, int width) {
-    int length = (int)strcspn(text, "\n");
-    if (length <= width)
+    const int length = (int)strcspn(text, "\n"), fitting = clip(text, width);
+    if (length <= fitting)
         return length;
-    int at = width;
+    int at = fitting;
     while (at > 0 && text[at] != ' ')
         at--;
-    return at > 0 ? at : width;
+    return at > 0 ? at : fitting;
 }
 
 void sheet_text(Sheet *sheet, Style style, int indent, const char *text) {
@@ -60,21 +69,21 @@ void sheet_text(Sheet *sheet, Style style, int indent, const char *text) {
     }
 }
 
+void sheet_wrapped(Sheet *sheet, Style style, int indent, const char *format, ...) {
+    char text[SHEET_WIDTH];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    sheet_text(sheet, style, indent, text);
+}
+
 void sheet_bar(char *text, size_t size, double share, int width) {
     const int full = (int)(share * width + 1e-9);
     int used = snprintf(text, size, "[");
     for (int i = 0; i < width && used < (int)size - 2; i++)
         text[used++] = i < full ? '#' : '.';
     snprintf(text + used, size - (size_t)used, "]");
-}
-
-// Bytes of the first `width` characters of a UTF-8 text.
-static int clip(const char *text, int width) {
-    int at = 0;
-    for (int seen = 0; text[at]; at++)
-        if ((text[at] & 0xc0) != 0x80 && ++seen > width)
-            break;
-    return at;
 }
 
 static void put_text(FILE *out, Style style, const char *text, int width, bool color) {
@@ -98,6 +107,13 @@ void sheet_print(const Sheet *sheet, FILE *out, bool color) {
 
 int sheet_last_top(const Sheet *sheet, int rows) {
     return sheet->count > rows - 1 ? sheet->count - (rows - 1) : 0;
+}
+
+int sheet_top_with(const Sheet *sheet, int line, int top, int rows) {
+    const int seen = rows - 2 > 1 ? rows - 2 : 1, last = sheet_last_top(sheet, rows); // one row tells of more
+    const int least = line - seen + 1 > 0 ? line - seen + 1 : 0;
+    const int wanted = line < top ? line : top < least ? least : top;
+    return wanted < last ? wanted : last;
 }
 
 // One write, from the top, without clearing first: nothing flickers.

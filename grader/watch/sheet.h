@@ -31,6 +31,10 @@ void sheet_marked(Sheet *sheet, Style mark_style, const char *mark, const char *
 // Adds a text of any length: broken at its line ends and at words, indented by `indent`.
 void sheet_text(Sheet *sheet, Style style, int indent, const char *text);
 
+// The same of a format, of at most SHEET_WIDTH - 1 bytes.
+void sheet_wrapped(Sheet *sheet, Style style, int indent, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
 // "[####......]" with `width` places between the brackets; share is 0..1.
 void sheet_bar(char *text, size_t size, double share, int width);
 
@@ -39,6 +43,9 @@ void sheet_print(const Sheet *sheet, FILE *out, bool color);
 
 // How far down a sheet can be scrolled on a screen of so many rows: 0 when all of it fits.
 int sheet_last_top(const Sheet *sheet, int rows);
+
+// From which line on `line` is seen on a screen of so many rows: from `top`, if it is, else from the nearest.
+int sheet_top_with(const Sheet *sheet, int line, int top, int rows);
 
 // Fills the screen: the sheet from line `top` on (0 to sheet_last_top; when more follows, the last line says
 // so), `footer` in the last row.

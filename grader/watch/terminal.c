@@ -2,6 +2,7 @@
 // events one by one.
 #include "watch/terminal.h"
 
+#include "base/color.h"
 #include "scene/check.h"
 #include "scene/count.h"
 
@@ -111,6 +112,9 @@ void terminal_forget(void) {
 bool terminal_open(void) {
     if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO) || tcgetattr(STDIN_FILENO, &before) != 0)
         return check_fail("this is not a terminal, so there are no keys and nothing is graded on save");
+    if (color_is_dumb())
+        return check_fail(
+            "this terminal only goes on line by line (TERM is \"dumb\"), so there is no screen to draw on");
     catch_all();
     enter();
     return true;

@@ -43,7 +43,8 @@ bool window_take(Window *window, App *app);
 // Draws the picture and what is written over it. `cursor` as in hud_put.
 void window_draw(Window *window, const App *app, const int cursor[2]);
 
-// Writes the picture, as the window shows it but without text, to a PNG. False with a message.
+// Writes the picture with its marks (the line of a split, names, the legend of counts), but without the text
+// at its borders, to a PNG. False with a message.
 bool window_save(Window *window, const App *app, const char *path);
 
 // To full screen and back.

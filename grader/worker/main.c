@@ -120,6 +120,7 @@ static bool start(const char *context) {
 static bool greet(void) {
     static Reply reply;
     fill_reply(&reply, worker.ready);
+    reply.magic = PROTOCOL_READY;
     return pipe_write(PROTOCOL_REPLIES, &reply, sizeof reply);
 }
 

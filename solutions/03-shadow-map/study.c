@@ -19,7 +19,6 @@ static void add_bare(MethodList *list) {
     Method *method = method_add(list, LAB_ID, METHOD_BARE, "the surfaces alone");
     setting_knob(&method->setting, "map size", 64);
     method->change = &bare;
-    method->taps = 0;
 }
 
 static void add_methods(MethodList *list, const char *scene) {

@@ -29,8 +29,8 @@ static const StudyScene scenes[] = {
     {0},
 };
 
-static const Filter hard = {"hard", 0, 0, 1, 0}, by_hand = {"3 x 3 by hand", 1, 0, 9, 1},
-                    diagonals = {"4 diagonals", 3, 0, 4, 1};
+static const Filter hard = {"hard", 0, 0, 0}, by_hand = {"3 x 3 by hand", 1, 0, 1},
+                    diagonals = {"4 diagonals", 3, 0, 1};
 
 // llvmpipe walks all branches of a shader, whatever a uniform chooses, so each filter is measured in a shader
 // in which the choice is fixed, as a course or a game would build it.
@@ -52,7 +52,6 @@ Method *filters_add(MethodList *list, Filter filter, int size) {
     method->change = &filters_fixed[filter.method];
     if (filter.radius > 0)
         setting_knob(&method->setting, "kernel radius", (float)filter.radius);
-    method->taps = filter.taps;
     method->kernel = filter.kernel;
     return method;
 }
@@ -63,7 +62,6 @@ static Method *add_box(MethodList *list, const char *family, int size, int radiu
     setting_knob(&method->setting, "method", 4);
     method->change = &filters_fixed[4];
     setting_knob(&method->setting, "kernel radius", (float)radius);
-    method->taps = side * side;
     method->kernel = (float)radius;
     return method;
 }

@@ -49,8 +49,6 @@ static void add_to_wide_lamp(MethodList *list) {
         Method *method =
             method_add_map(list, LAB_ID, "random with early-out", 512, "32 samples, radius %d", radius);
         setting_knob(&method->setting, "radius", (float)radius);
-        method->taps = 32;
-        method->first = 8;
         method->kernel = (float)radius;
     }
 }
@@ -65,8 +63,6 @@ static void add_random(MethodList *list, int size, int columns, int rows, bool e
     setting_knob(&method->setting, "rows", (float)rows);
     setting_knob(&method->setting, "radius", wide * (float)size / STUDY_KERNEL);
     setting_knob(&method->setting, "early-out", early_out);
-    method->taps = samples;
-    method->first = early_out ? 8 : 0;
     method->kernel = wide * (float)size / STUDY_KERNEL;
 }
 

@@ -49,9 +49,7 @@ static void add_methods(MethodList *list, const char *scene) {
                                         on_cpu ? "silhouettes on the CPU" : "geometry shader");
             setting_knob(&method->setting, "method", (float)z_fail);
             setting_knob(&method->setting, "silhouettes", (float)on_cpu);
-            method->volumes = true;
             method->picture_bytes = 12; // two colours of 4 bytes, depth and stencil
-            method->taps = 0;
         }
 }
 

@@ -1,4 +1,5 @@
 // Ambient occlusion from the picture alone: it knows only what the camera sees.
+#include "study_faster.h"
 #include "scene/check.h"
 #include "truth/closed_scenes.h"
 #include "stability/row.h"
@@ -68,13 +69,13 @@ static double seen_at(const Sky *sky, vec3s p) {
 
 // Adds how far the point has been from what it shows in the middle of the picture, at most so far. A baked
 // value is interpolated on the way: between texels, pixels, and the 255 steps of a picture.
-static bool sweep_pan(LabSet *labs, Findings *findings, Curve *curve, int method) {
+static bool sweep_pan(LabSet *labs, Findings *findings, Curve *curve, const Change *change, int method) {
     double first = 0, most = 0;
     bool ok = true;
     for (int pan = 0; ok && pan <= 18; pan += 2) {
         const Scene scene = panned(pan);
         Sky sky;
-        ok = draw(&sky, labs, &scene, NULL, method);
+        ok = draw(&sky, labs, &scene, change, method);
         if (ok) {
             double seen = seen_at(&sky, place);
             first = pan == 0 ? seen : first;
@@ -117,7 +118,7 @@ static bool sweep_post(LabSet *labs, Findings *findings, Curve *curve, const Cha
         ok = draw(&sky, labs, &scene, change, method);
         if (ok) {
             curve_add(curve, distance / radius, halo(&sky), least, 0);
-            if (change)
+            if (least > 0)
                 findings_frame(findings, 2, halo(&sky), &sky.truth_view, &sky.measured,
                                "From the picture without a limit, a post %.2f radii before the wall",
                                distance / radius);
@@ -132,11 +133,20 @@ static bool run_screen(LabSet *labs, Findings *findings) {
                                   "change at one point (visibility)"),
            *post = findings_figure(findings, "A post before a wall", "distance from the wall (radii)",
                                    "false shadow on the wall (share)");
-    return sweep_pan(labs, findings, figure_curve(pan, "failure: screen space", CURVE_RISING), SCREEN) &&
-           sweep_pan(labs, findings, figure_curve(pan, "remedy: baked", CURVE_EQUAL), BAKED) &&
+    return sweep_pan(labs, findings, figure_curve(pan, "failure: screen space", CURVE_RISING), NULL,
+                     SCREEN) &&
+           sweep_pan(labs, findings, figure_curve(pan, "failure: two factors", CURVE_RISING),
+                     &occlusion_two_factors, SCREEN) &&
+           sweep_pan(labs, findings, figure_curve(pan, "failure: half size", CURVE_RISING),
+                     &occlusion_half_size, SCREEN) &&
+           sweep_pan(labs, findings, figure_curve(pan, "remedy: baked", CURVE_EQUAL), NULL, BAKED) &&
            sweep_post(labs, findings, figure_curve(post, "failure: no limit", CURVE_LEAST), &unlimited,
                       SCREEN, 1.0 / 255) &&
            sweep_post(labs, findings, figure_curve(post, "remedy: a limit", CURVE_EQUAL), NULL, SCREEN, 0) &&
+           sweep_post(labs, findings, figure_curve(post, "a limit, two factors", CURVE_EQUAL),
+                      &occlusion_two_factors, SCREEN, 0) &&
+           sweep_post(labs, findings, figure_curve(post, "a limit, half size", CURVE_EQUAL),
+                      &occlusion_half_size, SCREEN, 0) &&
            sweep_post(labs, findings, figure_curve(post, "remedy: baked", CURVE_EQUAL), NULL, BAKED, 0);
 }
 

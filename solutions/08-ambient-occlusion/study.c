@@ -1,4 +1,5 @@
 // Ambient occlusion in the study, and the scene that it is seen in.
+#include "study_faster.h"
 #include "scene/atlas.h"
 #include "scene/count.h"
 #include "study/study_scene.h"
@@ -75,8 +76,8 @@ static void add_bake(Cost *cost, const Method *method, const Scene *scene) {
     Atlas *atlas = calloc(1, sizeof *atlas);
     if (atlas && atlas_layout(atlas, scene, method_knob(method, "texel density", 4), 1))
         for (int c = 0; c < atlas->chart_count; c++)
-            cost->texels += (double)atlas->charts[c].width * atlas->charts[c].height;
-    cost->rays = cost->texels * (double)method_knob(method, "rays", 64);
+            cost->atlas += (double)atlas->charts[c].width * atlas->charts[c].height;
+    cost->rays = cost->atlas * (double)method_knob(method, "rays", 64);
     if (atlas)
         atlas_destroy(atlas);
     free(atlas);
@@ -90,7 +91,7 @@ static const Change optimised = {.name = "bake at -O2", .edits = {OPTIMISED}, .e
 // A ray asks an object only when it meets the sphere around it. H. Weghorst, G. Hooper, D. Greenberg:
 // Improved Computational Methods for Ray Tracing, 1984. All shapes lie in the cube from -1 to 1, in
 // orthogonal axes.
-static const Change spheres = {
+const Change occlusion_spheres = {
     .name = "bake at -O2, bounding spheres first",
     .edits =
         {OPTIMISED,
@@ -137,7 +138,7 @@ static Method *add_baked(MethodList *list, const char *family, int density, int 
 }
 
 // The occlusion of every second pixel of every second row, which its three neighbours take over.
-static const Change half_size = {
+const Change occlusion_half_size = {
     .name = "screen space at half size",
     .edits = {{"lab.c", "target_create(&state.screen, frame->width, frame->height, GL_RGBA8, 0)",
                "target_create(&state.screen, (frame->width + 1) / 2, (frame->height + 1) / 2, GL_RGBA8, 0)"},
@@ -145,7 +146,7 @@ static const Change half_size = {
     .edit_count = 2};
 
 // A symmetrical perspective needs two factors, no matrix.
-static const Change two_factors = {
+const Change occlusion_two_factors = {
     .name = "screen space, projected by two factors",
     .edits = {{"ssao.frag",
                "    vec4 point_clip = u_clip_from_view * vec4(point_view, 1.0);\n"
@@ -159,7 +160,6 @@ static Method *add_screen(MethodList *list, const char *family, float length) {
     setting_knob(&method->setting, "method", 1);
     setting_knob(&method->setting, "ray length", length);
     method->picture_bytes = 4; // GL_RGBA8
-    method->taps = 16;         // hemisphere_count in shaders/hemisphere.glsl
     return method;
 }
 
@@ -169,14 +169,13 @@ static void add_faster(MethodList *list) {
     for (int density = 4; density <= 16; density *= 2) {
         add_baked(list, "baked", density, 64, length);
         add_baked(list, "baked at -O2", density, 64, length)->change = &optimised;
-        add_baked(list, "baked at -O2, spheres first", density, 64, length)->change = &spheres;
+        add_baked(list, "baked at -O2, spheres first", density, 64, length)->change = &occlusion_spheres;
     }
     add_screen(list, "screen space", length);
-    add_screen(list, "screen space, two factors", length)->change = &two_factors;
+    add_screen(list, "screen space, two factors", length)->change = &occlusion_two_factors;
     Method *half = add_screen(list, "screen space, half size", length);
-    half->change = &half_size;
+    half->change = &occlusion_half_size;
     half->picture_bytes = 1; // a quarter of the pixels
-    half->taps = 4;
 }
 
 static void add_methods(MethodList *list, const char *scene) {

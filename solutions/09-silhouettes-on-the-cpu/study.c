@@ -19,8 +19,6 @@ static void add(MethodList *list, int way, int by_neighbours, float stretch) {
     setting_knob(&method->setting, "method", (float)way);
     setting_knob(&method->setting, "silhouettes", (float)by_neighbours);
     setting_knob(&method->setting, "stretch", stretch);
-    method->volumes = true;
-    method->taps = 0;
 }
 
 static void add_methods(MethodList *list, const char *scene) {

@@ -78,27 +78,50 @@ static Scene wide_lamp(void) {
     return scene;
 }
 
-// The mean and the largest distance from the line on which light falls in the penumbra, along the middle row.
-static void measure_steps(const Probe *probe, double *mean, double *most) {
+// The mean and the largest distance from the line on which light falls in the penumbra, along the middle row,
+// and how many levels are three pixels wide there.
+static int measure_steps(const Probe *probe, double *mean, double *most) {
     const TruthView *view = &probe->truth_view;
-    int count = 0, row = view->size.height / 2;
+    int count = 0, row = view->size.height / 2, alike = 0, levels = 0, before = -1;
     *mean = *most = 0;
     for (int x = 0; x < view->size.width; x++) {
         size_t i = (size_t)row * (size_t)view->size.width + (size_t)x;
         double t = view->picture.hits[i].position.x / 0.8 + 0.5; // the edge lies at x = -1.5 * 2 + 3 = 0
         if (t <= 0 || t >= 1 || view->picture.hits[i].object != 0)
             continue;
-        double off = fabs(probe->measured.visibility[i] - t);
+        double lit = probe->measured.visibility[i], off = fabs(lit - t);
+        int level = (int)lround(255 * lit);
         *mean += off;
         *most = fmax(*most, off);
+        alike = level == before ? alike + 1 : 1;
+        levels += alike == 3;
+        before = level;
         count++;
     }
     *mean /= count;
+    return levels;
 }
 
-static bool add_steps(LabSet *labs, Findings *findings, Curve *mean_curve, Curve *most_curve, int n) {
+enum { MEAN, MOST, JITTERED_MOST, LEVELS, STEP_CURVES };
+
+// Each lamp stays in its cell, so those of a column go dark while the line falls by 1 / n, one after the
+// other. (Of 8 x 8 and more most of these steps are narrower than three pixels.)
+static bool add_jittered(Probe *probe, Curve *curves[STEP_CURVES], int n, double tolerance) {
+    double mean, most;
+    probe_knob(probe, "jitter", 1);
+    if (!probe_draw(probe))
+        return false;
+    const int levels = measure_steps(probe, &mean, &most);
+    curve_add(curves[JITTERED_MOST], n, most, 1.0 / n, tolerance);
+    if (n == 2 || n == 4)
+        curve_add(curves[LEVELS], n, levels, n + 2, 0);
+    return true;
+}
+
+static bool add_steps(LabSet *labs, Findings *findings, Curve *curves[STEP_CURVES], int n) {
     const Scene scene = wide_lamp();
     double mean, most, pixel = closed_unit(&scene, WIDE) / 0.8; // of the penumbra's width
+    const double tolerance = pixel / 2 + 0.5 / 255;
     Probe probe;
     bool ok = probe_begin(&probe, labs, LAB_ID, &scene, WIDE, WIDE);
     probe_knob(&probe, "lamps", n);
@@ -106,10 +129,11 @@ static bool add_steps(LabSet *labs, Findings *findings, Curve *mean_curve, Curve
     ok = ok && probe_draw(&probe);
     if (ok) {
         measure_steps(&probe, &mean, &most);
-        curve_add(mean_curve, n, mean, 1 / (4.0 * n), pixel / 2 + 0.5 / 255);
-        curve_add(most_curve, n, most, 1 / (2.0 * n), pixel / 2 + 0.5 / 255);
+        curve_add(curves[MEAN], n, mean, 1 / (4.0 * n), tolerance);
+        curve_add(curves[MOST], n, most, 1 / (2.0 * n), tolerance);
         findings_frame(findings, 0, -n, &probe.truth_view, &probe.measured, "%d x %d lamps", n, n);
     }
+    ok = ok && add_jittered(&probe, curves, n, tolerance);
     probe_end(&probe);
     return ok;
 }
@@ -138,16 +162,21 @@ static bool add_sum(LabSet *labs, Curve *floats, Curve *bytes, int n) {
 static bool run_lamps(LabSet *labs, Findings *findings) {
     Figure *steps = findings_figure(findings, "Steps in the penumbra", "lamps along a side",
                                     "distance from the true line"),
+           *levels =
+               findings_figure(findings, "Levels of the penumbra", "lamps along a side", "levels of light"),
            *sums = findings_figure(findings, "The sum in the umbra", "lamps", "light taken (true: 0.5)");
     steps->log_x = steps->log_y = true;
-    Curve *mean = figure_curve(steps, "mean", CURVE_EQUAL),
-          *most = figure_curve(steps, "largest", CURVE_EQUAL),
-          *floats = figure_curve(sums, "32-bit floats", CURVE_EQUAL),
+    Curve *curves[STEP_CURVES] = {
+        [MEAN] = figure_curve(steps, "mean", CURVE_EQUAL),
+        [MOST] = figure_curve(steps, "largest", CURVE_EQUAL),
+        [JITTERED_MOST] = figure_curve(steps, "jittered, largest: each lamp in its cell", CURVE_MOST),
+        [LEVELS] = figure_curve(levels, "jittered: more than the n + 1 of regular ones", CURVE_LEAST)};
+    Curve *floats = figure_curve(sums, "32-bit floats", CURVE_EQUAL),
           *bytes = figure_curve(sums, "failure: 8 bits", CURVE_EQUAL);
     const int some[] = {3, 5, 6, 7, 9, 10, 12, 14}; // none whose share is near a half step
     bool ok = true;
     for (int n = 1; ok && n <= 16; n *= 2)
-        ok = add_steps(labs, findings, mean, most, n);
+        ok = add_steps(labs, findings, curves, n);
     for (size_t i = 0; ok && i < COUNT(some); i++)
         ok = add_sum(labs, floats, bytes, some[i]);
     return ok;
@@ -163,7 +192,9 @@ const Row LAB_TABLE[] = {
      "1 to 16 lamps along a side; 9 to 196 shares in 8 bits and in floats",
      "n regular lamps along a side make n + 1 levels, at most 1 / (2 n) and in the mean 1 / (4 n) away from "
      "the "
-     "line on which light falls in a penumbra. Eight bits round each share, so that errors add up; floats do "
+     "line on which light falls in a penumbra. Jittered ones stay in their cells: at most 1 / n away, and "
+     "more levels, for those of a column go dark one after the other. Eight bits round each share, so that "
+     "errors add up; floats do "
      "not.",
      "closed form; Heckbert, Herf: Simulating Soft Shadows with Graphics Hardware, 1997", run_lamps},
     {0},

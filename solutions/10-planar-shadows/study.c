@@ -42,24 +42,24 @@ static const StudyScene scenes[] = {
     {0},
 };
 
+enum { PICTURE_BYTES = 12 }; // the light that is taken, depth and stencil, and a colour to look at
+
 static void add_lamps(MethodList *list, int n, int jitter) {
     Method *method =
         method_add(list, LAB_ID, jitter ? "flattened, jittered lamps" : "flattened, regular lamps",
                    "%d x %d lamps", n, n);
     setting_knob(&method->setting, "lamps", (float)n);
     setting_knob(&method->setting, "jitter", (float)jitter);
-    method->taps = 0;
+    method->picture_bytes = PICTURE_BYTES;
 }
 
 static void add_methods(MethodList *list, const char *scene) {
     if (strcmp(scene, "planes") == 0) {
-        method_add(list, LAB_ID, "flattened casters", "exact edges")->taps = 0;
+        method_add(list, LAB_ID, "flattened casters", "exact edges")->picture_bytes = PICTURE_BYTES;
         for (int i = 0; i < STUDY_SIZES; i++)
             method_add_map(list, "03", "basic map", study_sizes[i], "%s", "");
         Method *volumes = method_add(list, "07", "z-fail volumes", "geometry shader");
-        volumes->volumes = true;
         volumes->picture_bytes = 12; // as in lab 07
-        volumes->taps = 0;
     }
     if (strcmp(scene, "wide lamp") == 0)
         for (int n = 1; n <= 16; n *= 2)

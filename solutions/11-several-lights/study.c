@@ -35,7 +35,7 @@ static void add_lamps(MethodList *list, int n, int jitter) {
                                     "%d x %d lamps", n, n);
     setting_knob(&method->setting, "lamps", (float)n);
     setting_knob(&method->setting, "jitter", (float)jitter);
-    method->taps = n * n;
+    method->maps = n * n;
 }
 
 static void add_methods(MethodList *list, const char *scene) {
@@ -46,7 +46,7 @@ static void add_methods(MethodList *list, const char *scene) {
                     method_add_map(list, LAB_ID, across ? "maps and a cube, no seams" : "maps and a cube",
                                    study_sizes[i], "%s", "");
                 setting_knob(&method->setting, "cube filter", (float)across);
-                method->taps = 3;
+                method->maps = 2 + 6; // the cube's sides
             }
     if (strcmp(scene, "wide lamp") == 0)
         for (int n = 1; n <= 8; n = n < 4 ? n + 1 : n + 2)

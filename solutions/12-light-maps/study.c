@@ -36,8 +36,8 @@ static void add_bake(Cost *cost, const Method *method, const Scene *scene) {
     Atlas *atlas = calloc(1, sizeof *atlas);
     if (atlas && atlas_layout(atlas, scene, method_knob(method, "luxel density", 4), 1))
         for (int c = 0; c < atlas->chart_count; c++)
-            cost->texels += (double)atlas->charts[c].width * atlas->charts[c].height;
-    cost->rays = cost->texels * (double)method_knob(method, "rays", 64);
+            cost->atlas += (double)atlas->charts[c].width * atlas->charts[c].height;
+    cost->rays = cost->atlas * (double)method_knob(method, "rays", 64);
     if (atlas)
         atlas_destroy(atlas);
     free(atlas);

@@ -38,7 +38,6 @@ static void add_march(MethodList *list, int steps, int jitter, int map_size) {
     setting_knob(&method->setting, "dust", 1);
     setting_knob(&method->setting, "steps", (float)steps);
     setting_knob(&method->setting, "jitter", (float)jitter);
-    method->taps = steps;
 }
 
 static void add_methods(MethodList *list, const char *scene) {
@@ -51,8 +50,6 @@ static void add_methods(MethodList *list, const char *scene) {
     add_march(list, 64, 0, 2048);
     Method *faces = method_add(list, LAB_ID, "faces of the volumes", "merged intervals");
     setting_knob(&faces->setting, "dust", 2);
-    faces->volumes = true;
-    faces->taps = 0;
 }
 
 const LabStudy LAB_TABLE[] = {{.scenes = scenes, .add_methods = add_methods}};

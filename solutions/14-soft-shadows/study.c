@@ -8,7 +8,6 @@ static void add_soft(MethodList *list, int size, int search, int filter) {
                                     search * search, filter * filter);
     setting_knob(&method->setting, "search taps", (float)search);
     setting_knob(&method->setting, "filter taps", (float)filter);
-    method->taps = search * search + filter * filter;
 }
 
 static void add_methods(MethodList *list, const char *scene) {

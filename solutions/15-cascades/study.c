@@ -5,12 +5,6 @@
 
 enum { SLICES = 4 };
 
-// The method counts one map.
-static void add_maps(Cost *cost, const Method *method, const Scene *scene) {
-    (void)scene;
-    cost->texels += (SLICES - 1.0) * method->map_size * method->map_size;
-}
-
 static void add_methods(MethodList *list, const char *scene) {
     if (strcmp(scene, "edges") != 0)
         return;
@@ -19,9 +13,7 @@ static void add_methods(MethodList *list, const char *scene) {
         setting_knob(&method->setting, "slices", SLICES);
         setting_knob(&method->setting, "lambda", 1);
         setting_knob(&method->setting, "blend", 0);
-        method->taps = 1;
-        method->texel_bytes = 4;
-        method->add_cost = add_maps;
+        method->maps = SLICES;
     }
 }
 

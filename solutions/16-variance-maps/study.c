@@ -7,9 +7,8 @@
 static void add_blur(MethodList *list, int size, int radius) {
     Method *method = method_add_map(list, LAB_ID, "variance map", size, "blur of %d", 2 * radius + 1);
     setting_knob(&method->setting, "blur", (float)radius);
-    method->taps = 1;
     method->kernel = (float)radius;
-    method->texel_bytes = 20; // two floats, twice, and the depth
+    method->map_bytes = 20; // two floats, twice, and the depth
 }
 
 static void add_methods(MethodList *list, const char *scene) {

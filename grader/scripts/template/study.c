@@ -5,7 +5,7 @@
 
 static void add_methods(MethodList *list, const char *scene) {
     if (strcmp(scene, "edges") == 0)
-        method_add(list, LAB_ID, "@NAME@", "as it is")->taps = 0;
+        method_add(list, LAB_ID, "@NAME@", "as it is");
 }
 
 const LabStudy LAB_TABLE[] = {{.add_methods = add_methods}};

@@ -57,7 +57,7 @@ check('one point of the chart is a stop of Tab', stops === 1, `${stops}`);
 
 // The time of the picture alone: other times, the same setting stays selected.
 const before = await title(), label = await focused();
-await page.locator('#shade').check();
+await page.locator('#across').selectOption('shade');
 const after = await page.locator('[aria-selected=true]').getAttribute('aria-label');
 check('the other time is shown for the same setting', (await title()) === before && after !== label, `${label} ${after}`);
 
@@ -73,6 +73,12 @@ const hidden = await page.evaluate(() => {
     return marks.filter(([x, y], i) => marks.some(([u, v], j) => j < i && Math.hypot(x - u, y - v) < 8)).length;
 });
 check('no mark hides another one', hidden === 0, `${hidden} do`);
+
+// The counted cost: all but what rays trace, and the axis says so.
+const times = await points.count();
+await page.locator('#across').selectOption('cost');
+const costs = await points.count(), drawn = await page.locator('svg[role=group]').first().textContent();
+check('the cost stands in the place of time', costs > 5 && costs < times && drawn.includes('counted cost a pixel'), `${costs} of ${times}`);
 check('nothing went wrong', page.misdeeds.length === 0, page.misdeeds.join('\n    '));
 await browser.close();
 finish();

@@ -5,7 +5,6 @@
 #include "scene/check.h"
 
 #include <setjmp.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -60,7 +59,6 @@ static void test_nursery(void **unused) {
 }
 
 int main(void) {
-    signal(SIGPIPE, SIG_IGN);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_nursery)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

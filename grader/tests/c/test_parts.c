@@ -9,7 +9,6 @@
 #include "scene/shader_source.h"
 
 #include <setjmp.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -203,7 +202,6 @@ static void test_scene_check(void **unused) {
 }
 
 int main(void) {
-    signal(SIGPIPE, SIG_IGN);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_scene_check), cmocka_unit_test(test_precompiled),
         cmocka_unit_test(test_random),      cmocka_unit_test(test_meshes),

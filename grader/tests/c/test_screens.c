@@ -14,7 +14,7 @@ static LabBoard board;
 static Sheet sheet;
 
 // The screen of a lab with one check of `most` points, of which there are `points`.
-static void show(double points, int most, bool passed) {
+static void show_in(int columns, double points, int most, bool passed) {
     memset(&board, 0, sizeof board);
     board = (LabBoard){.folder = "labs", .lab_count = 1, .known = true, .score_before = -1};
     board.rubrics[0] = (Rubric){.id = "03", .folder = "solutions/03-test", .title = "t", .check_count = 1};
@@ -22,8 +22,12 @@ static void show(double points, int most, bool passed) {
     board.verdict = (LabVerdict){.status = LAB_FAILED, .score = points, .max_score = most, .check_count = 1};
     board.verdict.checks[0] = (VerdictCheck){.points = points, .passed = passed};
     board.focus.check = passed ? -1 : 0;
-    sheet_begin(&sheet, 100);
+    sheet_begin(&sheet, columns);
     screens_lab(&sheet, &board, false);
+}
+
+static void show(double points, int most, bool passed) {
+    show_in(100, points, most, passed);
 }
 
 static bool shown(const char *text) {
@@ -66,7 +70,46 @@ static void test_scrolling(void **unused) {
     assert_int_equal(sheet_last_top(&sheet, 2), 19);
 }
 
+// What is marked in a list is seen, from wherever one comes, and lines that are seen do not jump.
+static void test_marked(void **unused) {
+    (void)unused;
+    sheet_begin(&sheet, 80);
+    for (int i = 0; i < 18; i++)
+        sheet_line(&sheet, STYLE_PLAIN, "%d", i);
+    for (int rows = 3; rows < 25; rows++)
+        for (int line = 0; line < 18; line++)
+            for (int from = 0; from <= sheet_last_top(&sheet, rows); from++) {
+                const int top = sheet_top_with(&sheet, line, from, rows), room = rows - 1;
+                const int seen = top == sheet_last_top(&sheet, rows) ? room : room - 1;
+                assert_true(top >= 0 && top <= line && line < top + seen);
+                assert_true(line < from || line >= from + room - 1 || top == from);
+            }
+    assert_int_equal(sheet_top_with(&sheet, 17, 0, 40), 0);
+}
+
+// In a terminal of any width the points are seen, and no line is cut off.
+static void test_narrow(void **unused) {
+    (void)unused;
+    for (int columns = 34; columns < 110; columns++) {
+        show_in(columns, 99.99, 100, false);
+        assert_true(shown("99.9 of 100"));
+        for (int i = 0; i < sheet.count; i++)
+            if (strlen(sheet.lines[i].mark) + strlen(sheet.lines[i].text) > (size_t)columns)
+                fail_msg("%d columns: %s", columns, sheet.lines[i].text);
+        sheet_begin(&sheet, columns);
+        const int marked = screens_list(&sheet, &board, 0);
+        assert_int_equal(marked, sheet.count - 1);
+        assert_true(strlen(sheet.lines[sheet.count - 1].text) <= (size_t)columns - 2);
+    }
+    sheet_begin(&sheet, 22);
+    sheet_text(
+        &sheet, STYLE_PLAIN, 0,
+        "\u00dc\u00dc\u00dc\u00dc\u00dc\u00dc\u00dc\u00dc\u00dc\u00dc\u00dc\u00dc \u00dc\u00dc\u00dc\u00dc");
+    assert_int_equal(sheet.count, 1); // 17 letters of two bytes
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_points), cmocka_unit_test(test_scrolling)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_points), cmocka_unit_test(test_scrolling),
+                                       cmocka_unit_test(test_marked), cmocka_unit_test(test_narrow)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

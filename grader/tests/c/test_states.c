@@ -7,7 +7,6 @@
 #include "scene/count.h"
 
 #include <setjmp.h>
-#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -117,7 +116,6 @@ static int leave(void **unused) {
 }
 
 int main(void) {
-    signal(SIGPIPE, SIG_IGN);
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_osmesa), cmocka_unit_test(test_egl)};
     return cmocka_run_group_tests_name("states", tests, build, leave);
 }

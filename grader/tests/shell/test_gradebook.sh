@@ -312,15 +312,27 @@ refuses roster "too many cells" 'id,name\n1,Lee, Ann\n' "bad.csv:2: 3 cells belo
 refuses roster "Latin-1" 'id,name\n1,Zo\xeb\n' "bad.csv:2: the text is not UTF-8"
 refuses roster "UTF-16" '\xff\xfei\0d\0' "UTF-16: save it as UTF-8"
 refuses roster "a zero byte" 'id\n1\0\n' "byte 0"
+refuses roster "two columns of one name" 'Id,Id\n1,2\n' 'bad.csv:1: two columns are named "Id" (columns 1 and 2)'
+refuses roster "a title above" 'Graphics 2026\n\nid,name\n1,A\n' "bad.csv:3: 2 cells, but the first line has one: remove the lines above"
+refuses roster "a rounded number" 'id,name\n1,A\n1.23457E+11,B\n' 'bad.csv:3: "1.23457E+11" is what a spreadsheet has left' "as text"
+refuses roster "a web page" '<html><table>\n' "bad.csv is a document" "plain text"
 refuses roster "no time" 'id,submitted\n1,yesterday\n' 'bad.csv:2: "yesterday" is no time'
 refuses overrides "no note column" 'student,lab,points\n' "the column note is missing"
+refuses overrides "two notes" 'student,note,lab,points,note\nA,,3,1,x\n' 'two columns are named "note" (columns 2 and 5)'
 refuses overrides "no note" 'student,lab,points,note\nA,3,1,\n' "bad.csv:2: the note is empty"
 refuses overrides "no points" 'student,lab,points,note\nA,3,many,x\n' '"many" are no points'
 refuses overrides "negative points" 'student,lab,points,note\nA,3,-1,x\n' '"-1" are no points'
 refuses overrides "no lab" 'student,lab,points,note\nA,three,1,x\n' '"three" is no lab'
 refuses overrides "twice" 'student,lab,points,note\nA,3,1,x\na,03,2,y\n' "bad.csv:3: the same stands already in line 2"
 refuses due "no JSON" '{' "bad.csv:1:"
-refuses due "no date" '{"due": {"03": "soon"}, "percent a day": 1}' 'lab 03: write a time as "2026-11-03 23:59"'
+refuses due "no date" '{"due": {"03": "soon"}, "percent a day": 1}' 'lab 03: "soon" is no time: write one as "2026-11-03 23:59"'
+refuses due "the 31st of November" '{"due": {"03": "2026-11-31 23:59"}, "percent a day": 1}' '"2026-11-31 23:59" is no time'
+refuses due "a year of two digits" '{"due": {"03": "3.11.26 23:59"}, "percent a day": 1}' '"3.11.26 23:59" is no time'
+refuses due "another lab" '{"due": {"98": "2026-11-03 23:59"}, "percent a day": 1}' "there is no lab 98"
+refuses due "a share" '{"due": {"03": "2026-11-03 23:59"}, "percent a day": 0.1}' "less than one percent: for ten percent write 10"
+refuses due "a comma too many" '{"due": {"03": "2026-11-03 23:59",}, "percent a day": 1}' "bad.csv:1:" "a comma too many"
+refuses due "a comment" '// late\n{}' "bad.csv:1:" "no comments"
+refuses due "round quotes" '{“due”: {}}' "bad.csv:1:" "straight double quotes"
 refuses due "no lab" '{"due": {"3": "2026-11-03 23:59"}, "percent a day": 1}' 'write its number, as "03"'
 refuses due "too much" '{"due": {"03": "2026-11-03 23:59"}, "percent a day": 101}' "percent a day"
 grades --class "$class" --output "$work/none" --roster "$work/nowhere.csv"
@@ -347,6 +359,10 @@ lists "only names, one composed of marks" 'name\nAnn Le\xcc\x81e\n'
 lists "quotes and a line break inside" '"id","name"\n"101","Ann ""A.""\nLee"\n'
 lists "wide spaces" 'id,name\n \xc2\xa0101 ,Ann\n'
 lists "Gradescope" 'First Name,Last Name,SID,Email,Sections\nAnn,Lee,101,a@b.c,\n'
+lists "Name beside Vorname" 'Name;Vorname;Matrikel-Nr.\nLee;Ann;\n'
+lists "Moodle in German" 'ID;Vollst\xc3\xa4ndiger Name;Status\nTeilnehmer/in101;A. L.;-\n'
+lists "a column of decimals, a text of a spreadsheet, spaces between digits" 'id,user,number\n101.0,x,\n"=""00102""",y,\n1\xc2\xa0030,z,\n'
+lists "7 and 007" 'id\n101\n0101\n'
 lists "empty lines and short rows" '\n\nid,name,mail\n\n101\n,,\n'
 python3 - "$work/list.csv" <<'PYTHON'
 import sys

@@ -122,6 +122,12 @@ for lab in 3 03; do
 done
 cmp -s "$work/3.png" "$work/03.png" && ok || bad "frame --lab 3"
 [[ -s $work/exams-3/03-shadow-map/rubric.json ]] && diff -r "$work"/exams-{3,03} >"$work/out" && ok || bad "record_exams --lab 3" "$(cat "$work/out")"
+# Whose process that draws is killed says so, wherever it was.
+"$bin/record_exams" --lab 03 "$work/killed" 1 >"$work/out" 2>&1 &
+recording=$!
+for ((i = 0; i < 200; i++)); do pkill -KILL -P $recording -x worker && break; sleep 0.05; done
+status=0; wait $recording || status=$?
+[[ $status == 3 && $(cat "$work/out") == "record_exams: "*"lab"*03* && $(cat "$work/out") != *"endless loop"* ]] && ok || bad "record_exams, killed" "$status $(cat "$work/out")"
 # A fine picture is the mean of a large one, by another program; quiet colours change nothing else of the scene.
 table=("$bin/frame" --lab 03 --scene "table spot")
 "${table[@]}" --size 192x144 "$work/large.png" && "${table[@]}" --size 64x48 --fine 3 "$work/fine.png" || bad "frame --fine"

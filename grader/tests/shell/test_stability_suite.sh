@@ -81,6 +81,7 @@ faulty 26 07 "the counts do not wrap"
 faulty 27 07 "the volumes have a fixed length"
 faulty 903 09 "edges are compared at one corner"
 faulty 1002 10 "the lamps stand at the cells' corners"
+faulty 1002 10 "the jitter is not applied"
 faulty 2 04 "the bias is halved: it is taken in [-1, 1], not in the map's [0, 1]"
 faulty 3 04 "the factor is left at 0: the offset does not depend on the slope"
 faulty 6 04 "the cosine is used where the sine belongs"
@@ -101,13 +102,38 @@ faulty 19 07 "back faces are culled"
 faulty 22 07 "z-fail keeps the depth function GL_LESS"
 faulty 23 07 "the far caps are wound like the near ones"
 faulty 24 07 "the volumes have a fixed length"
+broken() { json 'sum(not c["holds"] for r in rows for f in r["figures"] for c in f["curves"] if '"$1"')'; } # curves that do not hold
 faulty 28 08 "directions are uniform, not cosine-weighted"
-faulty 29 08 "the length of the rays is not limited"
+[[ $(broken '"spheres first" in c["name"]') == 1 ]] && ok || bad "so does the bake with spheres"
+faulty 29 08 "far occluders count, near ones do not"
+[[ $(broken '"two factors" in c["name"] or "half size" in c["name"]') == 4 ]] && ok || bad "so does the faster screen space"
+faulty 502 05 "the comparison is inverted"
+[[ $(broken True) == 6 ]] && ok || bad "so do all filters in fewer lookups"
+faulty 502 05 "the half texel is forgotten"
 faulty 31 12 "half a luxel is subtracted in the lookup"
 faulty 1201 12 "what moves is baked, too"
 faulty 1401 14 "the kernel is as wide as the search"
 faulty 1601 16 "the cut is a step"
 [[ $(json 'rows[0]["status"]') == fail ]] && ok || bad "the JSON says so"
+
+# Each method of the study has a line in the README's table, and each line a mistake that the lab has (or a failure that the row draws) and
+# rows that there are.
+"$BUILD/chart" --list | cut -f4 | sed 's/; /\n/g' | sort -u >"$work/methods"
+python3 - "$work/methods" "${rows[*]}" >"$work/table" 2>&1 <<'END' && ok || bad "the table of methods, mistakes and rows" "$(cat "$work/table")"
+import glob, json, re, sys
+methods = set(open(sys.argv[1]).read().splitlines()) - {"no shadow (03)", "hard (05)"}
+lines = re.findall(r"^\| (.*?)\| (.+?) \| ([0-9, ]+) \|$", open("grader/stability/README.md").read(), re.M)
+told = {method for cell, *_ in lines for method in cell.strip().split("; ")} - {""}
+assert len(methods) > 40 and methods == told, f"without a line: {methods - told}; no method of the study: {told - methods}"
+for cell, mistake, rows in lines:
+    lab = cell.strip()[-3:-1] or lab
+    (folder,) = glob.glob(f"solutions/{lab}-*")
+    sources = "".join(open(path).read() for path in glob.glob(f"{folder}/rows*.c"))
+    known = [m["name"] for m in json.load(open(f"{folder}/mistakes.json"))]
+    assert mistake in known or f'"failure: {mistake.strip("*")}' in sources, f"lab {lab} has no mistake {mistake}"
+    for row in rows.split(", "):
+        assert len(sys.argv[2].split()) < 20 or row in sys.argv[2].split(), f"there is no row {row}"
+END
 
 # What a user can get wrong.
 suite --row 9999

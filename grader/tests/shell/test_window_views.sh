@@ -12,6 +12,7 @@ size_of() { identify -format '%wx%h' "$1"; }
 out=$(python3 - "$root" <<'PYTHON'
 import glob, json, os, re, sys
 root = sys.argv[1]
+keys = open(f"{root}/grader/window/keys.c").read()
 common = re.search(r"#define FRAME_VIEW_STAGES.*?\n\n", open(f"{root}/common/frame_view.h").read(), re.S)[0]
 for folder in sorted(glob.glob(f"{root}/solutions/[0-9][0-9]-*")):
     source = open(f"{folder}/lab.c").read()
@@ -21,6 +22,11 @@ for folder in sorted(glob.glob(f"{root}/solutions/[0-9][0-9]-*")):
     captions = set(json.load(open(path))) if os.path.exists(path) else set()
     if stages != captions:
         print(os.path.basename(folder), "stages and captions differ:", sorted(stages ^ captions))
+    # The key that a text names for the truth is the window's.
+    for name in "README.md", "afterword.json":
+        for key in re.findall(r"[Kk]ey (\w) shows the tru", open(f"{folder}/{name}").read()):
+            if f'"{key}", "the truth, by rays' not in keys:
+                print(os.path.basename(folder), name, "names another key for the truth:", key)
 PYTHON
 )
 [[ -z $out ]] && ok || bad "captions" "$out"
@@ -38,7 +44,7 @@ lab=07
 scene=$(python3 -c 'import json, sys
 scene = json.load(open(sys.argv[1]))["checks"][0]["scene"]
 print(scene if isinstance(scene, str) else scene[0])' "$root/solutions/07-shadow-volumes/rubric.json")
-shot --scene "$scene" --show reference --view "stencil counts"
+shot --scene "$scene" --show reference --bare --view "stencil counts"
 expect "counts" 0 "saved as"
 headless --view "stencil counts"
 pairs=$(convert "$work/wanted.png" "$work/shot.png" +append -depth 8 rgb:- | python3 -c '
@@ -111,19 +117,30 @@ fi
     bad "two windows at once" "$(cat "$work/second")"
 close_window
 
-# The names at the split, and the legend, come and go with the text (key H).
-lettered() { # AREA: white letters stand on the dark ground there
-    picture && [[ $(convert "$work/now.png" -crop "$1" +repage -colorspace gray -format '%[fx:minima < 0.2 && maxima > 0.95 && mean < 0.5]' info:) == 1 ]]
+# The names at the split, and the legend, come and go with the text (key H), also in a picture that is saved.
+letters_in() { # FILE AREA: white letters stand on the dark ground there
+    [[ $(convert "$1" -crop "$2" +repage -colorspace gray -format '%[fx:minima < 0.2 && maxima > 0.95 && mean < 0.5]' info:) == 1 ]]
 }
-size=640x480 lab=07 scene=nested open_window --show split --view "stencil counts" --knob method=1
+lettered() { picture && letters_in "$work/now.png" "$1"; }
+yours=60x20+254+241 reference=90x20+324+241 legend=120x160+525+160
+size=640x480 lab=07 scene=nested
+for bare in "" --bare; do
+    shot --scene "$scene" --show split --view "stencil counts" --knob method=1 $bare
+    [[ $(convert "$work/shot.png" -crop 1x1+320+40 +repage -format '%[hex:u.p{0,0}]' info:) == FFD65A* ]] && ok || bad "the line of a split is saved $bare" "$out"
+    for area in $yours $reference $legend; do
+        letters_in "$work/shot.png" $area && words= || words=--bare
+        [[ $words == "$bare" ]] && ok || bad "saved words at $area $bare"
+    done
+done
+open_window --show split --view "stencil counts" --knob method=1
 wait_for "the split" titled "mine | reference"
 wait_for "both pictures" picture
 sleep 1
-lettered 90x20+324+241 && bad "names without text" || ok
+lettered $reference && bad "names without text" || ok
 keys h
-wait_for "yours" lettered 60x20+254+241
-wait_for "reference" lettered 90x20+324+241
-wait_for "the legend" lettered 120x160+525+160
+wait_for "yours" lettered $yours
+wait_for "reference" lettered $reference
+wait_for "the legend" lettered $legend
 close_window
 
 # Labs that do not draw: a reason, and no picture.
