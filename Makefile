@@ -17,6 +17,11 @@ TEACHERS := $(if $(wildcard solutions),,$(shell sed -nE 's/^([a-z_.-]+):.*### .*
 ABSENT := $(filter $(TEACHERS),$(MAKECMDGOALS))
 $(if $(ABSENT),$(error make $(ABSENT) is not in this kit; make help lists what is))
 
+# Where nothing was built and nothing can be, as on a read-only medium, gcc would only say so file by file.
+IS_WRITABLE := $(shell test -w "$$(test -e '$(BUILD)' && echo '$(BUILD)' || dirname '$(BUILD)')" && echo yes)
+BUILDS := $(if $(wildcard $(BUILD)/worker),,$(filter-out help hint,$(or $(MAKECMDGOALS),build)))
+$(if $(IS_WRITABLE),,$(if $(BUILDS),$(error nothing can be written to $(BUILD)/ here: copy this folder to a place of your own, and work there)))
+
 include grader/build.mk
 
 grade: build ## grade a submission: make grade [LAB=03] [SUBMISSION=labs] [ARGS="--seed 1"]

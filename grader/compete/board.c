@@ -13,9 +13,11 @@ static double percent(double share) {
 }
 
 static void print_ranked(const Standing *standing, FILE *out) {
-    fprintf(out, "%3d  %-24s %8.1f a pixel: %.1f reads, %.1f fragments, %.1f texels; error %.2f %% at %s\n",
+    fprintf(out,
+            "%3d  %-24s %8.1f a pixel: %.1f reads, %.1f fragments, %.1f texels; error %.2f %% at %s%s%s\n",
             standing->place, standing->name, standing->cost, standing->taps, standing->fragments,
-            standing->texels, percent(standing->error), standing->setting);
+            standing->texels, percent(standing->error), standing->setting, standing->note[0] ? "; ! " : "",
+            standing->note);
 }
 
 void board_print(const Standing *standings, int count, const Arena *arena, FILE *out) {
@@ -36,8 +38,8 @@ static void write_number(Page *page, const char *format, double value) {
 }
 
 static void write_ranked(Page *page, const Standing *standings, int count) {
-    static const char *const heads[] = {"#place",  "student",   "#cost",   "#reads", "#fragments",
-                                        "#texels", "#error, %", "setting", NULL};
+    static const char *const heads[] = {"#place",  "student",   "#cost",   "#reads",  "#fragments",
+                                        "#texels", "#error, %", "setting", "look at", NULL};
     page_begin_table(page, "Who is ranked", heads);
     for (int i = 0; i < count && standings[i].ranked; i++) {
         const Standing *standing = &standings[i];
@@ -50,6 +52,7 @@ static void write_ranked(Page *page, const Standing *standings, int count) {
         write_number(page, "%.1f", standing->texels);
         write_number(page, "%.2f", percent(standing->error));
         page_cell(page, standing->setting);
+        page_cell(page, standing->note);
         fputs("</tr>\n", page->out);
     }
     page_end_table(page);

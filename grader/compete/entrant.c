@@ -3,6 +3,7 @@
 #include "compete/entrant.h"
 
 #include "base/printable.h"
+#include "compete/second_count.h"
 #include "compete/tally.h"
 #include "grade/lab_verdict.h"
 #include "grade/take_submission.h"
@@ -107,13 +108,17 @@ static bool end(WorkerClient *client) {
 }
 
 // Counted by two workers: one compiles its shaders with the map and one without.
-static bool compete(Standing *standing, const Arena *arena, WorkerClient *client) {
+static bool compete(Standing *standing, const Arena *arena, const Rubric *rubric, WorkerClient *client) {
     const int chosen = choose(standing, arena, client);
     if (!end(client))
         return false;
     if (chosen >= 0)
         look_blind(standing, arena, client, chosen);
-    return end(client);
+    if (!end(client))
+        return false;
+    if (standing->ranked)
+        second_count(standing, arena, rubric, client, chosen);
+    return true;
 }
 
 static bool take_and_compete(Standing *standing, const Arena *arena, Session *session, const char *folder) {
@@ -126,7 +131,7 @@ static bool take_and_compete(Standing *standing, const Arena *arena, Session *se
     if (ok && result.message[0])
         refuse(standing, result.message);
     else if (ok)
-        ok = compete(standing, arena, &client);
+        ok = compete(standing, arena, rubric, &client);
     if (client.folder[0])
         files_remove(client.folder);
     result_destroy_lab(&result);

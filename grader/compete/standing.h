@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-enum { STANDING_NAME = 256, STANDING_REASON = 400 };
+enum { STANDING_NAME = 256, STANDING_REASON = 400, STANDING_NOTE = 128 };
 
 // Counts are means over the cameras, a pixel of the picture.
 typedef struct Standing {
@@ -14,6 +14,7 @@ typedef struct Standing {
     double cost;                  // taps + fragments + texels, rounded to a tenth: two machines round alike
     double taps, fragments, texels, error;
     char setting[64];
+    char note[STANDING_NOTE]; // what somebody must look at (second_count.h); "" for nothing
 } Standing;
 
 // Fills the cost from what was counted.

@@ -37,10 +37,14 @@ static bool trivial_scores(const Variant *variant) {
     return found;
 }
 
+// Does what is missing in the other picture show?
+static bool shows(const Variant *variant, const Image *other) {
+    return score_mask(&variant->reference, other) >= MIN_MASK;
+}
+
 bool exam_acceptable(const Variant *variants, int n) {
     const Variant *variant = &variants[n];
-    if (score_mask(&variant->reference, &variant->without) < MIN_MASK ||
-        score_mask(&variant->reference, &variant->skeleton) < MIN_MASK || trivial_scores(variant))
+    if (!shows(variant, &variant->skeleton) || !shows(variant, &variant->without) || trivial_scores(variant))
         return false;
     for (int i = 0; i < n; i++)
         if (scores(&variants[i].reference, variant) || scores(&variant->reference, &variants[i]))
@@ -53,17 +57,24 @@ typedef struct Trio {
     const Painter *solution, *skeleton, *without;
 } Trio;
 
-static bool draw_variant(Variant *variant, const Trio *trio, char renderer[128]) {
+static bool draw_reference(Variant *variant, const Trio *trio, char renderer[128]) {
     static Reply reply;
-    if (!painters_draw(trio->painters, trio->skeleton, &variant->request, &variant->skeleton, &reply) ||
-        !painters_draw(trio->painters, trio->without, &variant->request, &variant->without, &reply) ||
-        !painters_draw(trio->painters, trio->solution, &variant->request, &variant->reference, &reply))
+    if (!painters_draw(trio->painters, trio->solution, &variant->request, &variant->reference, &reply))
         return false;
     memcpy(renderer, reply.renderer, sizeof reply.renderer);
     variant->facts = reply.facts;
     variant->milliseconds = exam_milliseconds(&reply);
     return reply.drawn ||
            check_fail("our own solution in %s draws nothing: %s", trio->solution->folder, reply.message);
+}
+
+// A variant in which the whole lab does not show is not acceptable, and its third picture is not drawn.
+static bool draw_variant(Variant *variant, const Trio *trio, char renderer[128]) {
+    static Reply reply;
+    return draw_reference(variant, trio, renderer) &&
+           painters_draw(trio->painters, trio->skeleton, &variant->request, &variant->skeleton, &reply) &&
+           (!shows(variant, &variant->skeleton) ||
+            painters_draw(trio->painters, trio->without, &variant->request, &variant->without, &reply));
 }
 
 static bool create_check(Exam *exam, int c, const Trio *trio) {

@@ -42,10 +42,16 @@ static bool is_taken(const FolderFiles *files, const char *name) {
     return false;
 }
 
+// What an editor leaves beside a file that it saves: lab.c~, #lab.c#, .lab.c.swp. Also what a system hides.
+static bool is_aside(const char *name) {
+    const char last = name[0] ? name[strlen(name) - 1] : '\0';
+    return name[0] == '.' || last == '~' || (name[0] == '#' && last == '#');
+}
+
 static void look(const char *name, void *context) {
     FolderFiles *files = context;
     char text[400];
-    if (is_taken(files, name) || strcmp(files->predictions, name) == 0 || name[0] == '.' ||
+    if (is_taken(files, name) || strcmp(files->predictions, name) == 0 || is_aside(name) ||
         handed_out_has(files->rubric, name) || ++files->ignored > MOST_IGNORED)
         return;
     snprintf(text, sizeof text, "ignored: %.300s (not a file of this lab)", name);

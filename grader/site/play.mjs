@@ -11,6 +11,14 @@ export function start(figure) {
   return state;
 }
 
+// Each point is in its box, and where the figure wants it, whichever of them was moved. Changes `state`.
+export function settle(figure, state) {
+  for (const [name, { box: [[left, bottom], [right, top]], keep = (point) => point }] of Object.entries(figure.points ?? {})) {
+    const [x, y] = state[name];
+    state[name] = keep([Math.min(Math.max(x, left), right), Math.min(Math.max(y, bottom), top)], state);
+  }
+}
+
 const shown = (knob, value) => knob.choices?.[value] ?? `${fixed(value, knob.digits ?? 2)}${knob.unit ?? ""}`;
 const said = ([x, y]) => `x ${fixed(x)}, y ${fixed(y)}`;
 
@@ -62,7 +70,8 @@ export function play(figure, host) {
     const rows = figure.numbers(state).map(([label, value, kind]) => `<div${kind ? ` class="${kind}"` : ""}><dt>${label}</dt><dd>${value}</dd></div>`);
     host.querySelector("dl").innerHTML = rows.join("");
     for (const grip of all(".grip")) {
-      const point = state[grip.dataset.point], [x, y] = place(point);
+      const point = state[grip.dataset.point], [x, y] = place(point), { when = () => true } = figure.points[grip.dataset.point];
+      grip.style.display = when(state) ? "" : "none"; // what is not drawn cannot be dragged
       grip.setAttribute("transform", `translate(${x} ${y})`);
       grip.setAttribute("aria-valuenow", fixed(point[0]).replace("−", "-"));
       grip.setAttribute("aria-valuetext", said(point));
@@ -77,10 +86,9 @@ export function play(figure, host) {
     }
   }
 
-  // A point stays in its box, and where the figure wants it.
-  function move(name, [x, y]) {
-    const { box: [[left, bottom], [right, top]], keep = (point) => point } = figure.points[name];
-    state[name] = keep([Math.min(Math.max(x, left), right), Math.min(Math.max(y, bottom), top)], state);
+  function move(name, point) {
+    state[name] = point;
+    settle(figure, state);
     draw();
   }
 

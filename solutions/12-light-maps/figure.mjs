@@ -69,7 +69,7 @@ export const figure = {
   },
   points: {
     lamp: { label: "lamp", at: [4, 2.6], box: [[0.5, 1.2], [9.5, 3.7]] },
-    board: { label: "plate", at: [6, 1], box: [[0.6, 0.2], [9.4, 3.4]], keep: ([x, y], { lamp }) => [x, Math.min(y, lamp[1] - 0.3)] },
+    board: { label: "plate", when: ({ plates }) => plates !== NONE, at: [6, 1], box: [[0.6, 0.2], [9.4, 3.4]], keep: ([x, y], { lamp }) => [x, Math.min(y, lamp[1] - 0.3)] },
   },
   draw, numbers,
 };

@@ -53,7 +53,7 @@ function draw(s, state) {
   }
   curve(s, (at) => truth(state, at), "line");
   curve(s, (at) => filtered(state, at), "mark");
-  s.text([3, -0.3], "truth: thin; the kernel: thick", "w", "quiet");
+  s.text([0, -1.65], "truth: thin; the kernel: thick", "c", "quiet");
 }
 
 function numbers(state) {
@@ -71,7 +71,7 @@ function numbers(state) {
 export const figure = {
   title: "Play: the lamp seen through a point.",
   about: "Drag the blockers' ends and the point of the floor. With one blocker the kernel is right; with two whose shadows end in one place it is not.",
-  view: { width: 640, height: 400, unit: 62, origin: [320, 300], text: "A lamp, blockers, and the light on the floor" },
+  view: { width: 640, height: 420, unit: 62, origin: [320, 300], text: "A lamp, blockers, and the light on the floor" },
   knobs: {
     side: { label: "lamp", least: 0.1, most: 3, step: 0.05, value: 1.2 },
     search: { label: "search up to the height", least: 0.5, most: 3.5, step: 0.05, value: 3 },
@@ -79,7 +79,7 @@ export const figure = {
   },
   points: {
     first: { label: "first blocker", at: [-0.3, 2], box: [[-2.5, 0.2], [2.5, 3]], step: 0.05 },
-    second: { label: "second blocker", at: [-0.5, 0.6], box: [[-2.5, 0.2], [2.5, 3]], step: 0.05 },
+    second: { label: "second blocker", at: [-0.5, 0.6], box: [[-2.5, 0.2], [2.5, 3]], step: 0.05, when: ({ two }) => two > 0 },
     point: { label: "point", at: [0.1, 0], box: [[-2.9, 0], [2.9, 0]], step: 0.05 },
   },
   draw, numbers,

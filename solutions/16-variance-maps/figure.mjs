@@ -63,7 +63,7 @@ export const figure = {
   },
   points: {
     upper: { label: "upper plate", at: [0, 2.8], box: [[-2.5, 1.6], [2.5, 3.6]], step: 0.05 },
-    lower: { label: "lower plate", at: [1.6, 0.8], box: [[-2.5, 0.2], [2.5, 1.5]], step: 0.05 },
+    lower: { label: "lower plate", at: [1.6, 0.8], box: [[-2.5, 0.2], [2.5, 1.5]], step: 0.05, when: ({ two }) => two > 0 },
     at: { label: "filter", at: [0.2, 0], box: [[-2.4, 0], [2.4, 0]], step: 0.05 },
   },
   draw, numbers,

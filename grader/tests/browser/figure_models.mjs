@@ -2,7 +2,7 @@
 // figure's own way, against the functions of solutions/NN-name/figure.mjs. Needs no browser.
 import { readdirSync } from 'node:fs';
 import { random } from '../../site/geometry.mjs';
-import { start } from '../../site/play.mjs';
+import { settle, start } from '../../site/play.mjs';
 import { sketch } from '../../site/sketch.mjs';
 
 const root = new URL('../../../solutions/', import.meta.url);
@@ -297,8 +297,19 @@ function broken(figure) {
     return [...drawing.parts, ...figure.numbers(state).flat()].some((text) => /NaN|undefined|Infinity/.test(text));
 }
 
+// Whichever point moves, all of them are where the figure wants them.
+function unsettled(figure) {
+    const state = start(figure);
+    for (const [name, { box: [[x, y], [u, v]] }] of Object.entries(figure.points).sort(() => next() - 0.5)) {
+        state[name] = [between(x, u), between(y, v)];
+        settle(figure, state);
+    }
+    return Object.entries(figure.points).some(([name, { keep = (at) => at }]) => Math.hypot(...keep(state[name], state).map((x, i) => x - state[name][i])) > 1e-9);
+}
+
 for (const id of Object.keys(models)) {
     const { figure } = await lab(id);
+    equal(`${id}: all points are where they may be`, times(60, () => unsettled(figure)).filter(Boolean).length, 0);
     equal(`${id}: no state is without numbers`, times(60, () => broken(figure)).filter(Boolean).length, 0);
 }
 for (const [id, test] of Object.entries(models)) await test(await lab(id));

@@ -42,10 +42,11 @@ async function keys(page, lab) {
 
 // What a point dragged to where the pointer was last makes of the state, by the figure's own box and rule.
 async function dragged(page, figure, name) {
-    const state = start(figure), { box: [[left, bottom], [right, top]], keep = (point) => point } = figure.points[name];
+    const state = start(figure), { box: [[left, bottom], [right, top]] } = figure.points[name];
     for (const [x, y] of await page.evaluate(() => globalThis.way)) {
         const { origin, unit } = figure.view, at = [(x - origin[0]) / unit, (origin[1] - y) / unit];
-        state[name] = keep([Math.min(Math.max(at[0], left), right), Math.min(Math.max(at[1], bottom), top)], state);
+        state[name] = [Math.min(Math.max(at[0], left), right), Math.min(Math.max(at[1], bottom), top)];
+        for (const [each, { keep }] of Object.entries(figure.points)) if (keep) state[each] = keep(state[each], state);
     }
     return expected(figure, state);
 }
@@ -63,7 +64,7 @@ const watchPointer = (page) => page.evaluate(() => {
 // Each point once: `move` drags the grip by some pixels. The numbers are those of the place where it was left.
 async function drag(page, figure, lab, how, move) {
     await watchPointer(page);
-    for (const grip of await page.locator('.grip').all()) {
+    for (const grip of await page.locator('.grip:visible').all()) {
         const name = await grip.getAttribute('data-point');
         await grip.scrollIntoViewIfNeeded();
         const { x, y, width, height } = await grip.boundingBox(), first = await grip.getAttribute('aria-valuetext');

@@ -144,7 +144,9 @@ case_ device 1 "lab.c is not a regular file"
 solved extra >/dev/null
 echo 'all: ; touch /tmp/owned' >"$work/extra/03-shadow-map/Makefile"
 echo x >"$work/extra/03-shadow-map/notes.txt"
+touch "$work"/extra/03-shadow-map/{lab.c~,'#lab.c#',.lab.c.swp} # of editors
 case_ extra 0 "ignored: Makefile (not a file of this lab)" "ignored: notes.txt"
+[[ $out != *"lab.c~"* && $out != *"#lab"* && $out != *.swp* ]] && ok || bad "what an editor leaves is told of" "$out"
 
 solved no-table >/dev/null
 sed -i 's/^const Lab lab/const Lab my_lab/' "$(c no-table)"

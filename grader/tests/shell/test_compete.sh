@@ -23,13 +23,16 @@ order=$(for student in dan cyn ann eve bob; do cost $student; done)
 [[ $(wc -l <<<"$order") == 5 && $order == "$(sort -g -u <<<"$order")" ]] && ok || bad "in the order of what they read" "$out"
 python3 -c 'import sys; ann, eve = map(float, sys.argv[1:]); assert abs(eve - ann - 512 * 512 / (320 * 240)) < 0.1' "$(cost ann)" "$(cost eve)" 2>/dev/null && ok ||
     bad "a second clear costs its texels" "$out"
+[[ $(line ivy) == "  1 "*"; ! with our lab.c its shaders cost "[1-9]*": read its own"* ]] && ok || bad "forged counts" "$out"
+grep -qF "with our lab.c its shaders cost" "$work/one.html" && ok || bad "forged counts, on the page" "$(cat "$work/one.html")"
+[[ $(for student in ann bob cyn dan eve; do line $student; done) != *!* ]] && ok || bad "honest counts are marked" "$out"
 [[ $(line gus) == *"not ranked: it does not pass: "* ]] && ok || bad "a fixed kernel does not pass" "$out"
 [[ $(line hal) == *"not ranked: its shadows do not come from a map"* ]] && ok || bad "a painter" "$out$(cat "$work/errors")"
 grep -qE 'ann|bob' "$work/one.html" && bad "a page of pseudonyms with names" || ok
 grep -qF "$(name ann)" "$work/one.html" && ok || bad "the page has a row for each" "$(cat "$work/one.html")"
 
 # Once more, and alone: the same line, the same page.
-rm -r "$work"/class/{bob,cyn,dan,eve,gus,hal}
+rm -r "$work"/class/{bob,cyn,dan,eve,gus,hal,ivy}
 before=$(line ann | sed 's/^ *[0-9]*//')
 for page in two three; do
     competes --class "$work/class" --page "$work/$page.html" --anonymous "$work/secret.csv"

@@ -12,6 +12,7 @@ size_of() { identify -format '%wx%h' "$1"; }
 out=$(python3 - "$root" <<'PYTHON'
 import glob, json, os, re, sys
 root = sys.argv[1]
+keys = open(f"{root}/grader/window/keys.c").read()
 common = re.search(r"#define FRAME_VIEW_STAGES.*?\n\n", open(f"{root}/common/frame_view.h").read(), re.S)[0]
 for folder in sorted(glob.glob(f"{root}/solutions/[0-9][0-9]-*")):
     source = open(f"{folder}/lab.c").read()
@@ -21,6 +22,11 @@ for folder in sorted(glob.glob(f"{root}/solutions/[0-9][0-9]-*")):
     captions = set(json.load(open(path))) if os.path.exists(path) else set()
     if stages != captions:
         print(os.path.basename(folder), "stages and captions differ:", sorted(stages ^ captions))
+    # The key that a text names for the truth is the window's.
+    for name in "README.md", "afterword.json":
+        for key in re.findall(r"[Kk]ey (\w) shows the tru", open(f"{folder}/{name}").read()):
+            if f'"{key}", "the truth, by rays' not in keys:
+                print(os.path.basename(folder), name, "names another key for the truth:", key)
 PYTHON
 )
 [[ -z $out ]] && ok || bad "captions" "$out"
