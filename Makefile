@@ -17,6 +17,10 @@ TEACHERS := $(if $(wildcard solutions),,$(shell sed -nE 's/^([a-z_.-]+):.*### .*
 ABSENT := $(filter $(TEACHERS),$(MAKECMDGOALS))
 $(if $(ABSENT),$(error make $(ABSENT) is not in this kit; make help lists what is))
 
+ifeq ($(wildcard solutions),) # who has the kit wants to see what fails, and not hundreds of commands
+.SILENT:
+endif
+
 # Where nothing was built and nothing can be, as on a read-only medium, gcc would only say so file by file.
 IS_WRITABLE := $(shell test -w "$$(test -e '$(BUILD)' && echo '$(BUILD)' || dirname '$(BUILD)')" && echo yes)
 BUILDS := $(if $(wildcard $(BUILD)/worker),,$(filter-out help hint,$(or $(MAKECMDGOALS),build)))

@@ -53,6 +53,7 @@ hostile-programs: $(BUILD)/hostile $(BUILD)/without $(WEAK)
 EGL_EXTENSIONS := EGL_MESA_platform_surfaceless,EGL_KHR_no_config_context,EGL_EXT_platform_base,EGL_EXT_platform_device
 EGL_EXTENSIONS := $(EGL_EXTENSIONS),EGL_EXT_device_base,EGL_EXT_device_enumeration
 $(BUILD)/include/glad/gl.h: grader/build.mk # which says what of EGL is asked for
+	@echo "building the programs: this takes a minute or two, once"
 	glad --quiet --reproducible --out-path $(BUILD)/glad --api gl:core=4.1 --extensions '' c --debug
 	glad --quiet --reproducible --out-path $(BUILD)/glad --api egl=1.5 \
 		--extensions $(EGL_EXTENSIONS) c --loader

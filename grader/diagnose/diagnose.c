@@ -90,17 +90,6 @@ static void know_all(Known *known, const Diagnosis *this) {
         known->among[t] = !this->open.open[t];
 }
 
-// Did all checks about the task pass?
-static bool is_acquitted(const Diagnosis *this, int t) {
-    int own = 0, passed = 0;
-    for (int c = 0; c < this->result->check_count; c++)
-        if (rubric_task_index(this->exam->rubric, this->result->checks[c].check->task) == t) {
-            own++;
-            passed += this->result->checks[c].passed;
-        }
-    return own > 0 && passed == own;
-}
-
 // Has what was handed out changed in each part with the fault?
 static bool given_changed(const Fault *fault) {
     for (int i = 0; i < fault->count; i++)
@@ -116,7 +105,7 @@ static void suspect_noise(Diagnosis *this) {
     if (!given_changed(&this->result->fault))
         return;
     for (int i = 0; i < this->suspects.count; i++)
-        if (!is_acquitted(this, this->suspects.tasks[i]))
+        if (!result_task_passed(this->result, rubric, this->suspects.tasks[i]))
             return;
     if (this->suspects.count == 0)
         return;

@@ -71,7 +71,7 @@ static void find_in(OpenTasks *tasks, const Rubric *rubric, int file, const char
         for (const char *at = strstr(text, mark); at; at = strstr(at + 1, mark)) {
             const TaskText found = read_mark(text, at, mark, rubric, file, t);
             tasks->open[t] = tasks->open[t] || found == TASK_TEXT_HANDED_OUT;
-            tasks->unsure[t] = tasks->unsure[t] || found == TASK_TEXT_UNKNOWN;
+            tasks->unsure[t] = tasks->unsure[t] || found == TASK_TEXT_UNKNOWN || found == TASK_TEXT_EITHER;
         }
     }
 }
@@ -93,6 +93,20 @@ static bool shows_no_effect(const LabResult *result, Exam *exam, int c) {
     return false;
 }
 
+// Does none of the task's checks that failed show anything of it, and is there one?
+static bool shows_nowhere(const LabResult *result, Exam *exam, int t) {
+    bool any = false;
+    for (int c = 0; c < result->check_count; c++) {
+        const CheckResult *check = &result->checks[c];
+        if (check->passed || rubric_task_index(exam->rubric, check->check->task) != t)
+            continue;
+        if (!shows_no_effect(result, exam, c))
+            return false;
+        any = true;
+    }
+    return any;
+}
+
 void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, const char *folder) {
     const Rubric *rubric = exam->rubric;
     *tasks = (OpenTasks){0};
@@ -106,10 +120,10 @@ void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, cons
     }
     for (int t = 0; t < EXAM_MAX_TASKS; t++)
         tasks->unsure[t] = tasks->unsure[t] && !tasks->open[t];
-    for (int c = 0; c < result->check_count; c++) {
-        const int t = rubric_task_index(rubric, result->checks[c].check->task);
-        if (t >= 0 && tasks->unsure[t] && !result->checks[c].passed)
-            tasks->open[t] = tasks->open[t] || shows_no_effect(result, exam, c);
-    }
+    for (int t = 0; t < rubric->hint_count && t < EXAM_MAX_TASKS; t++)
+        tasks->open[t] = tasks->open[t] || (tasks->unsure[t] && shows_nowhere(result, exam, t));
+    for (int t = 0; t < rubric->hint_count && t < EXAM_MAX_TASKS; t++)
+        if (result_task_passed(result, rubric, t)) // it is done, whatever its file looks like
+            tasks->open[t] = tasks->unsure[t] = false;
     check_clear();
 }

@@ -30,6 +30,16 @@ bool result_done(const LabResult *lab) {
     return !lab->message[0];
 }
 
+bool result_task_passed(const LabResult *lab, const Rubric *rubric, int task) {
+    int own = 0, passed = 0;
+    for (int c = 0; c < lab->check_count; c++)
+        if (rubric_task_index(rubric, lab->checks[c].check->task) == task) {
+            own++;
+            passed += lab->checks[c].passed;
+        }
+    return own > 0 && passed == own;
+}
+
 bool result_was_drawn(const LabResult *lab) {
     for (int c = 0; c < lab->check_count; c++)
         if (lab->checks[c].yours[0].rgba)

@@ -104,6 +104,9 @@ Touch result_touch(const CheckResult *check, const Variant *variants);
 // Is there nothing left to do: did every check pass that is not optional?
 bool result_done(const LabResult *lab);
 
+// Are there checks about the task with this index (see rubric_task_index), and did all pass?
+bool result_task_passed(const LabResult *lab, const Rubric *rubric, int task);
+
 // Did the lab draw at least one frame?
 bool result_was_drawn(const LabResult *lab);
 double result_score(const Report *report);

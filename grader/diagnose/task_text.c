@@ -19,13 +19,17 @@ typedef struct TodoPlace {
     Span span;
 } TodoPlace;
 
-static TodoPlace place_of(const Functions *functions, const char *at) {
+// Functions that are not in `handed_out` are what was written between two: whole functions are the answer of
+// some tasks.
+static TodoPlace place_of(const Functions *functions, const char *at, const Functions *handed_out) {
     TodoPlace place = {"", {functions->text, functions->text + strlen(functions->text)}};
     for (int i = 0; i < functions->count; i++) {
         const Function *function = &functions->list[i];
         const char *begin = functions->text + function->begin, *end = functions->text + function->end;
         if (at >= begin && at < end)
             return (TodoPlace){function->name, {begin, end}};
+        if (!functions_find(handed_out, function->name))
+            continue;
         if (end <= at)
             place.span.begin = end;
         else if (begin < place.span.end)
@@ -50,11 +54,15 @@ static const char *next_todo(const char *at, Span span) {
     return find_todo(at + 1, span.end);
 }
 
-static const char *last_todo(Span span) {
+static const char *todo_before(const char *at, Span span) {
     const char *last = NULL;
-    for (const char *at = find_todo(span.begin, span.end); at; at = next_todo(at, span))
-        last = at;
+    for (const char *todo = find_todo(span.begin, at); todo; todo = find_todo(todo + 1, at))
+        last = todo;
     return last;
+}
+
+static const char *last_todo(Span span) {
+    return todo_before(span.end, span);
 }
 
 // From the mark's comment to the next.
@@ -65,10 +73,8 @@ static Span after(const char *at, Span span) {
 
 // From the TODO before it.
 static Span before(const char *at, Span span) {
-    Span piece = {span.begin, comment_begin(at, span.begin)};
-    for (const char *todo = find_todo(span.begin, at); todo; todo = find_todo(todo + 1, at))
-        piece.begin = comment_begin(todo, span.begin);
-    return piece;
+    const char *todo = todo_before(at, span);
+    return (Span){todo ? comment_begin(todo, span.begin) : span.begin, comment_begin(at, span.begin)};
 }
 
 static bool same(Span a, Span b) {
@@ -113,13 +119,37 @@ static bool same_begin(const char *a, const char *b) {
     return true;
 }
 
+static bool is_empty(Span piece) {
+    return count_words(piece, 1) == 0;
+}
+
+// Does a TODO right below this one have something written below it? The answers of both may stand there.
+static bool shares_below(const char *at, Span theirs, const char *our_at, Span ours) {
+    while (is_empty(after(at, theirs)) && is_empty(after(our_at, ours))) {
+        at = next_todo(at, theirs);
+        our_at = next_todo(our_at, ours);
+        if (!at || !our_at || !same_mark(at, our_at))
+            return false;
+        if (!same(after(at, theirs), after(our_at, ours)))
+            return true;
+    }
+    return false;
+}
+
+// Stands this TODO right below another one, so that what is written here may be the answer of that?
+static bool shares_above(const char *at, Span theirs, const char *our_at, Span ours) {
+    const char *other = todo_before(at, theirs), *our_other = todo_before(our_at, ours);
+    return other && our_other && same_mark(other, our_other) && is_empty(after(other, theirs)) &&
+           is_empty(after(our_other, ours));
+}
+
 static TaskText compare_at(const char *at, Span theirs, const char *our_at, Span ours) {
     if (written_above(theirs, ours))
         return same(before(at, theirs), before(our_at, ours)) ? TASK_TEXT_HANDED_OUT : TASK_TEXT_WRITTEN;
     if (same(after(at, theirs), after(our_at, ours)))
-        return TASK_TEXT_HANDED_OUT;
+        return shares_below(at, theirs, our_at, ours) ? TASK_TEXT_EITHER : TASK_TEXT_HANDED_OUT;
     if (same_mark(next_todo(at, theirs), next_todo(our_at, ours)))
-        return TASK_TEXT_WRITTEN;
+        return shares_above(at, theirs, our_at, ours) ? TASK_TEXT_EITHER : TASK_TEXT_WRITTEN;
     const Span piece = after(our_at, ours); // and code of tasks whose TODOs are gone
     const bool replaced =
         count_words(piece, BEGIN_WORDS) == BEGIN_WORDS && !same_begin(after(at, theirs).begin, piece.begin);
@@ -130,9 +160,9 @@ bool task_text_put_before(const char *text, const char *at, const char *mark, co
     static Functions functions, our_functions;
     functions_split(&functions, text);
     functions_split(&our_functions, without);
-    const Span theirs = after(at, place_of(&functions, at).span);
+    const Span theirs = after(at, place_of(&functions, at, &our_functions).span);
     for (const char *our_at = strstr(without, mark); our_at; our_at = strstr(our_at + 1, mark)) {
-        const Span ours = after(our_at, place_of(&our_functions, our_at).span);
+        const Span ours = after(our_at, place_of(&our_functions, our_at, &our_functions).span);
         for (Span rest = theirs; rest.begin < theirs.end;) {
             const Token token = tokens_next(&rest.begin);
             if (token.kind == TOKEN_END || token.text >= theirs.end)
@@ -149,15 +179,15 @@ TaskText task_text_compare(const char *text, const char *at, const char *mark, c
     TaskText found = TASK_TEXT_UNKNOWN;
     functions_split(&functions, text);
     functions_split(&our_functions, skeleton);
-    const TodoPlace theirs = place_of(&functions, at);
+    const TodoPlace theirs = place_of(&functions, at, &our_functions);
     for (const char *our_at = strstr(skeleton, mark); our_at; our_at = strstr(our_at + 1, mark)) {
-        const TodoPlace ours = place_of(&our_functions, our_at);
+        const TodoPlace ours = place_of(&our_functions, our_at, &our_functions);
         if (strcmp(theirs.function, ours.function) != 0)
             continue;
         const TaskText one = compare_at(at, theirs.span, our_at, ours.span);
         if (one == TASK_TEXT_HANDED_OUT)
             return one;
-        if (one == TASK_TEXT_WRITTEN)
+        if (one != TASK_TEXT_UNKNOWN)
             found = one;
     }
     return found;

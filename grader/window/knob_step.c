@@ -45,12 +45,21 @@ const char *knob_choice(const struct KnobText *knob, float value) {
     return number >= 0 && number < knob->choice_count ? knob->choices[number] : "";
 }
 
+// Large numbers without an exponent.
+static void add_number(char *text, size_t size, float value) {
+    check_append(text, size, fabsf(value) < 1000 ? "%.4g" : "%.0f", (double)value);
+}
+
 void knob_text(const struct KnobText *knob, float value, char *text, size_t size) {
     const char *choice = knob_choice(knob, value);
     text[0] = '\0';
     if (!choice[0]) {
-        check_append(text, size, "%.4g%s%s  (%g..%g)", (double)value, knob->unit[0] ? " " : "", knob->unit,
-                     (double)knob->low, (double)knob->high);
+        add_number(text, size, value);
+        check_append(text, size, "%s%s  (", knob->unit[0] ? " " : "", knob->unit);
+        add_number(text, size, knob->low);
+        check_append(text, size, "..");
+        add_number(text, size, knob->high);
+        check_append(text, size, ")");
         return;
     }
     check_append(text, size, "%g: %s", (double)value, choice);

@@ -20,7 +20,7 @@ static void put_split(Text *text, const App *app, const Place *place, int height
                 away = 2 * half + 2, left = 7 * text->advance; // the width of "yours" and its margins
     text_box(text, x - half - 1, top, 2 * half + 2, (float)place->height, ground);
     text_box(text, x - half, top, 2 * half, (float)place->height, accent);
-    if (!app->state.text)
+    if (!app->state.text || (float)place->width < 30 * text->advance) // on a small picture they would hide it
         return;
     put_name(text, x - away - left, top + (float)place->height * 0.5F, "yours");
     put_name(text, x + away, top + (float)place->height * 0.5F, other);

@@ -72,6 +72,35 @@ static void test_replaced(void **unused) {
            TASK_TEXT_WRITTEN);
 }
 
+// Two TODOs stand on each other, and the answers of one or both below the second.
+static void test_either(void **unused) {
+    (void)unused;
+    static const char both[] = "float f(float x) {\n float y = x;\n // TODO(1.1)\n // TODO(1.2)\n"
+                               " y = 2.0 * y;\n return max(y, 0.0);\n}\nvoid g() {\n // TODO(1.1)\n}\n";
+    expect(both, 1, "TODO(1.1)", TASK_TEXT_EITHER);
+    expect(both, 1, "TODO(1.2)", TASK_TEXT_EITHER);
+    expect(both, 2, "TODO(1.1)", TASK_TEXT_HANDED_OUT);
+    static const char each[] =
+        "float f(float x) {\n float y = x;\n // TODO(1.1)\n y = 2.0 * y;\n // TODO(1.2)\n"
+        " return max(y, 0.0);\n}\n";
+    expect(each, 1, "TODO(1.1)", TASK_TEXT_WRITTEN);
+    expect(each, 1, "TODO(1.2)", TASK_TEXT_WRITTEN);
+}
+
+// The answer of a TODO outside of functions is a function of its own.
+static void test_function_written(void **unused) {
+    (void)unused;
+    static const char handed_out[] =
+        "int a;\n// TODO(2.1): a function.\n// TODO(2.2): one more.\nvoid main() {\n}\n";
+    static const char text[] = "int a;\n// TODO(2.1)\nvoid one() {\n}\n// TODO(2.2)\nvoid main() {\n}\n";
+    assert_int_equal(task_text_compare(text, strstr(text, "TODO(2.1)"), "TODO(2.1)", handed_out),
+                     TASK_TEXT_WRITTEN);
+    assert_int_equal(task_text_compare(text, strstr(text, "TODO(2.2)"), "TODO(2.2)", handed_out),
+                     TASK_TEXT_HANDED_OUT);
+    assert_int_equal(task_text_compare(handed_out, strstr(handed_out, "TODO(2.1)"), "TODO(2.1)", handed_out),
+                     TASK_TEXT_HANDED_OUT);
+}
+
 static void test_put_before(void **unused) {
     (void)unused;
     static const char without[] = "float f() {\n // TODO(1.1)\n return y;\n}\n";
@@ -83,8 +112,10 @@ static void test_put_before(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_untouched), cmocka_unit_test(test_below),
-                                       cmocka_unit_test(test_above),     cmocka_unit_test(test_unknown),
-                                       cmocka_unit_test(test_replaced),  cmocka_unit_test(test_put_before)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_untouched), cmocka_unit_test(test_below),
+        cmocka_unit_test(test_above),     cmocka_unit_test(test_unknown),
+        cmocka_unit_test(test_replaced),  cmocka_unit_test(test_put_before),
+        cmocka_unit_test(test_either),    cmocka_unit_test(test_function_written)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

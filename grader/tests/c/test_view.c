@@ -109,6 +109,9 @@ static void test_knob_texts(void **unused) {
     knob = (struct KnobText){.unit = "texels", .low = 16, .high = 2048};
     knob_text(&knob, 256, text, sizeof text);
     assert_string_equal(text, "256 texels  (16..2048)");
+    knob = (struct KnobText){.unit = "KiB", .low = 0.5F, .high = 2000000};
+    knob_text(&knob, 32768, text, sizeof text);
+    assert_string_equal(text, "32768 KiB  (0.5..2000000)");
 }
 
 // A picture of one colour.

@@ -61,11 +61,14 @@ mkdir -p "$slurm"/{n1,n2,state}
 chmod 755 "$slurm"
 head -c 1024 /dev/urandom >"$slurm/key" && chmod 400 "$slurm/key"
 export SLURM_CONF=$slurm/slurm.conf
+# The daemons listen where the machine's name leads: 127.0.1.1 as Debian installs it.
+address=$(getent ahostsv4 "$(hostname -s)" | awk '{ print $1; exit }')
+: "${address:=127.0.0.1}"
 # On the node that is to die, a task lasts longer than it takes to see it.
 printf '#!/bin/sh\nif [ "$SLURMD_NODENAME" = n1 ]; then sleep 3; fi\n' >"$slurm/prolog" && chmod 755 "$slurm/prolog"
 cat >"$SLURM_CONF" <<CONF
 ClusterName=lab
-SlurmctldHost=$(hostname -s)(127.0.0.1)
+SlurmctldHost=$(hostname -s)($address)
 SlurmUser=$(id -un)
 SlurmdUser=$(id -un)
 SlurmctldPort=$base
@@ -90,8 +93,8 @@ SlurmctldPidFile=$slurm/ctld.pid
 SlurmdPidFile=$slurm/%n.pid
 SlurmctldLogFile=$slurm/ctld.log
 SlurmdLogFile=$slurm/%n.log
-NodeName=n1 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=$((base + 1)) CPUs=1
-NodeName=n2 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=$((base + 2)) CPUs=1
+NodeName=n1 NodeHostname=$(hostname -s) NodeAddr=$address Port=$((base + 1)) CPUs=1
+NodeName=n2 NodeHostname=$(hostname -s) NodeAddr=$address Port=$((base + 2)) CPUs=1
 PartitionName=p Nodes=n1,n2 Default=YES State=UP
 CONF
 # Newer ones want control groups, which a service or a container need not have.

@@ -125,6 +125,11 @@ grep -q "New variants" "$kit/README.md" && ok || bad "how new variants are had"
 grep -q "make watch" "$kit/README.md" && ! grep -qE 'build/grade --class|make demo' "$kit/README.md" && ok || bad "the kit's README"
 in_kit hand-in LAB=03
 expect "hand in" 0 "build/lab-03.tar.gz" "03-shadow-map/lab.c" "still to do: TODO(3.1)"
+printf '{\n  "labs": {\n    "03": {\n      "done": true\n    }\n  }\n}\n' >"$work/done"
+in_kit hand-in LAB=03 SHADOW_LAB_PROGRESS="$work/done"
+[[ $status == 0 && $out != *"still to do"* ]] && ok || bad "a lab that is done, with its TODOs" "$out"
+in_kit -B build/grader/base/files.o BUILD=build
+[[ $status == 0 && $(wc -l <<<"$out") -le 2 && $out == *"building the programs"* ]] && ok || bad "the kit builds in silence" "$out"
 grade=$root/$BUILD/grade
 grades --lab 03 --seed 2 --trusted "$kit/build/lab-03.tar.gz"
 expect "what was packed is graded" 1 "0.00 of 100 points"
