@@ -23,7 +23,7 @@ void record_report(const Report *report, const Session *session, bool told) {
         if (lab->status <= LAB_FAILED && !record_lab(&progress, lab, session))
             fprintf(stderr, "grade: %s\n", check_message());
         if (told && result_done(lab))
-            printf("Lab %s is done. The answer to its question, and what to try: make answer LAB=%s\n",
+            printf("Lab %s is done. The answers to its questions, and what to try: make answer LAB=%s\n",
                    lab->id, lab->id);
     }
     if (progress.note[0])

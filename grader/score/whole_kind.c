@@ -137,6 +137,7 @@ const char *whole_kind(const Image *yours, const Image *reference, double wrong)
 
 const char *average_kind(const Image *yours, const Image *reference) {
     return right_on_average(yours, reference) > 1 - REST
-               ? "right on average, but not the given random numbers, or not in their order"
+               ? "right on average, but coarser or finer steps, or not the given random numbers, or not in "
+                 "their order"
                : NULL;
 }
