@@ -1,8 +1,10 @@
+// The meshes on the GPU, and what each frame tells its programs of scene, lights and objects.
 #include "draw.h"
 
 #include "model.h"
 
 #include <stdio.h>
+#include <string.h>
 
 static Model models[SHAPE_COUNT];
 static GLuint empty_vertex_array;
@@ -29,6 +31,10 @@ void draw_destroy(void) {
         model_destroy(&models[shape]);
     glDeleteVertexArrays(1, &empty_vertex_array);
     empty_vertex_array = 0;
+}
+
+bool frame_shows(const Frame *frame, const char *stage) {
+    return strcmp(frame->view, stage) == 0;
 }
 
 void frame_bind(const Frame *frame) {

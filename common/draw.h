@@ -24,6 +24,9 @@ typedef struct Frame {
 bool draw_create(void);
 void draw_destroy(void);
 
+// Is this stage looked at? Others need not be drawn.
+bool frame_shows(const Frame *frame, const char *stage);
+
 // Binds the frame's framebuffer, with the viewport on all of it.
 void frame_bind(const Frame *frame);
 

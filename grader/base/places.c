@@ -94,5 +94,6 @@ bool places_list_labs(void (*visit)(const char *id, void *context), void *contex
     char labs[FILES_PATH];
     labs_folder(labs);
     Walk walk = {.labs = labs, .ok = true, .visit = visit, .context = context};
-    return files_list(labs, visit_lab, &walk) && walk.ok;
+    return files_list(labs, visit_lab, &walk) && walk.ok &&
+           (walk.last[0] || check_fail("there is no lab in %s", labs));
 }

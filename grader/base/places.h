@@ -22,7 +22,7 @@ bool places_find_lab_in(char path[FILES_PATH], const char *parent, const char *i
 void places_lab_of(char path[FILES_PATH], const char *parent, const char *id);
 
 // Calls visit with the id ("02") of each lab of ours, in order. False with a message when two folders
-// have one number.
+// have one number, or when there is none.
 bool places_list_labs(void (*visit)(const char *id, void *context), void *context);
 
 // Does an entry's name read "NN-..."?

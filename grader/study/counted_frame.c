@@ -31,7 +31,7 @@ bool counted_frame(LabArtist *artist, const Request *request, MeasuredErrors *er
         result = worker_client_draw(client, &asked, &image, &reply);
     if (result != DRAW_OK)
         return !artist->painter ||
-               check_fail("lab %s does not draw while it is counted: %s", artist->rubric.id, reply.message);
+               check_fail("lab %s could not draw: %s (while it was counted)", artist->rubric.id, reply.message);
     errors->reads = reply.counts.taps;
     errors->fragments = reply.counts.fragments;
     errors->cleared = reply.counts.texels;

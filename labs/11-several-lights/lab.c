@@ -95,8 +95,8 @@ static void draw_picture(const Frame *frame) {
 static void show(const Frame *frame) {
     show_maps(&state.shown, state.framebuffer, state.maps, list_maps(frame).count);
     show_cube(&state.shown, state.framebuffer, state.cubes, frame->scene);
-    show_asked_begin(&state.shown);
-    shade(frame, true);
+    if (show_asked_begin(&state.shown, frame))
+        shade(frame, true);
 }
 
 const Lab lab = {

@@ -75,6 +75,8 @@ static void draw_picture(const Frame *frame) {
 static void show(const Frame *frame) {
     const Program *program = &frame->programs[PROGRAM_SHOW];
     for (int i = 0; i < SHOWN_COUNT; i++) {
+        if (!frame_shows(frame, lab.stages[i].name))
+            continue;
         target_bind(&state.shown[i]);
         glClearColor(0, 0, 0, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -68,7 +68,10 @@ static void show(const Frame *frame) {
     for (int i = 0; i < count; i++)
         slices[i] = find_slice(frame, state.maps.size, i);
     show_numbers(&state.shown, frame, slices, count);
-    show_maps(&state.shown, frame, &state.maps, slices, count);
+    if (frame_shows(frame, "maps"))
+        show_maps(&state.shown, frame, &state.maps, slices, count);
+    if (!frame_shows(frame, "slices"))
+        return;
     show_slices_begin(&state.shown);
     shade(frame, true);
 }

@@ -69,6 +69,17 @@ static double tolerance(int boards) {
     return boards * 4 * closed_unit(&scene, SIDE) / 2 / (2 * half_board);
 }
 
+// One point of a curve: what the lab and its change show otherwise at this step, in boards.
+static bool add_point(LabSet *labs, Findings *findings, int slot, Curve *curve, int step, bool sheet,
+                      const Change *change, int expected) {
+    const Scene scene = at_step(step, sheet);
+    double boards;
+    if (!differ(labs, findings, slot, &scene, change, &boards))
+        return false;
+    curve_add(curve, step, boards, expected, tolerance(expected));
+    return true;
+}
+
 // A map that is kept though the board has moved shows its shadow where it was: two boards are wrong. When the
 // light moves, the map moves with it, and the shadow in it comes along.
 static bool run_kept(LabSet *labs, Findings *findings) {
@@ -78,16 +89,9 @@ static bool run_kept(LabSet *labs, Findings *findings) {
     Curve *kept = figure_curve(figure, "kept while nothing moves", CURVE_EQUAL),
           *always = figure_curve(figure, "failure: kept whatever moves", CURVE_EQUAL);
     bool ok = true;
-    for (int step = 0; ok && step < STEPS; step++) {
-        const Scene scene = at_step(step, false);
-        double boards;
-        ok = differ(labs, findings, 0, &scene, &filter_kept, &boards);
-        if (ok)
-            curve_add(kept, step, boards, 0, 0);
-        ok = ok && differ(labs, findings, 1, &scene, &always_kept, &boards);
-        if (ok)
-            curve_add(always, step, boards, wrong[step], tolerance(wrong[step]));
-    }
+    for (int step = 0; ok && step < STEPS; step++)
+        ok = add_point(labs, findings, 0, kept, step, false, &filter_kept, 0) &&
+             add_point(labs, findings, 1, always, step, false, &always_kept, wrong[step]);
     return ok;
 }
 
@@ -98,16 +102,9 @@ static bool run_casters(LabSet *labs, Findings *findings) {
     Curve *boxes = figure_curve(figure, "planes receive, boxes cast", CURVE_EQUAL),
           *sheets = figure_curve(figure, "failure: a plane that casts", CURVE_EQUAL);
     bool ok = true;
-    for (int step = 0; ok && step < STEPS; step++) {
-        const Scene with_box = at_step(step, false), with_sheet = at_step(step, true);
-        double boards;
-        ok = differ(labs, findings, 2, &with_box, &filter_casters, &boards);
-        if (ok)
-            curve_add(boxes, step, boards, 0, 0);
-        ok = ok && differ(labs, findings, 2, &with_sheet, &filter_casters, &boards);
-        if (ok)
-            curve_add(sheets, step, boards, 1, tolerance(1));
-    }
+    for (int step = 0; ok && step < STEPS; step++)
+        ok = add_point(labs, findings, 2, boxes, step, false, &filter_casters, 0) &&
+             add_point(labs, findings, 2, sheets, step, true, &filter_casters, 1);
     return ok;
 }
 

@@ -57,10 +57,12 @@ static void show_cube(const Shown *shown, GLuint framebuffer, GLuint cubes, cons
                    CUBE_FACES * lamp + face, shown->cube.height / 2);
 }
 
-static void show_asked_begin(const Shown *shown) {
+// True when the stage is looked at.
+static bool show_asked_begin(const Shown *shown, const Frame *frame) {
     target_bind(&shown->asked);
     glClearColor(0, 0, 0, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    return frame_shows(frame, "asked");
 }
 
 static void set_map_uniforms(const Program *program, const MapList *list) {

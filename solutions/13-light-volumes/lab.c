@@ -94,8 +94,10 @@ static void draw_picture(const Frame *frame) {
 
 // The stages "distance" and "interval", the first caster's layer.
 static void show(const Frame *frame) {
-    air_show_distance(frame, &frame->programs[PROGRAM_PICTURE], &state.surfaces, &state.distance);
-    layers_show(&state.layers, &state.interval);
+    if (frame_shows(frame, "distance"))
+        air_show_distance(frame, &frame->programs[PROGRAM_PICTURE], &state.surfaces, &state.distance);
+    if (frame_shows(frame, "interval"))
+        layers_show(&state.layers, &state.interval);
 }
 
 const Lab lab = {

@@ -102,7 +102,7 @@ static void make_beyond_spot(Scene *scene, Random *random) {
 // ... or beyond the sides and the far plane of a small map.
 static void make_beyond_sun(Scene *scene, Random *random) {
     begin(scene, random);
-    float_casters(scene, random, 3, 0.5f, 1.2f);
+    float_casters(scene, random, 3, 1, 1.8f);
     vec3s place = part_above(random, 40, 60, 10);
     Light *light = part_light(scene, LIGHT_DIRECTIONAL, place, vec3_make(0, 0, 0));
     light->half_size = random_range(random, 1.6f, 2.2f);

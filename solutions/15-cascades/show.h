@@ -6,7 +6,7 @@
 #include "slices.h"
 #include "target.h"
 
-enum { SHOWN_SIDE = 400, TILES = 2 };
+enum { SHOWN_SIDE = 240, TILES = 2 };
 enum { SHOW_BORDERS, SHOW_SPHERES, SHOW_MAPS };
 
 typedef struct Shown {
@@ -50,8 +50,10 @@ static void show_numbers(const Shown *shown, const Frame *frame, const Slice *sl
     program_set_float(program, "u_far", camera->far_plane);
     program_set_float(program, "u_tangent",
                       tanf(camera->fov_y / 2) * hypotf(1, (float)frame->width / (float)frame->height));
-    fill(&shown->borders, program, SHOW_BORDERS);
-    fill(&shown->spheres, program, SHOW_SPHERES);
+    if (frame_shows(frame, "borders"))
+        fill(&shown->borders, program, SHOW_BORDERS);
+    if (frame_shows(frame, "spheres"))
+        fill(&shown->spheres, program, SHOW_SPHERES);
 }
 
 // Depths as what they are in the world, so that the map's planes do not matter.

@@ -194,6 +194,13 @@ cp -r "$home"/solutions/03-shadow-map "$home/solutions/03-twice"
 by grade --seed 1 "$root/labs"
 expect "two labs of one number" 3 "solutions holds two folders of lab 03; rename one"
 rm -r "$home/solutions/03-twice"
+mv "$home/solutions" "$home/kept" && mkdir "$home/solutions"
+mkdir -p "$work/nobody/ann" && cp -r labs/03-shadow-map "$work/nobody/ann"
+for command in "$root/labs" "--class $work/nobody --output $work/none" "--class $work/nobody --output $work/none --dry-run"; do
+    by grade $command
+    expect "no lab of ours: $command" 3 "there is no lab in $home/solutions"
+done
+rmdir "$home/solutions" && mv "$home/kept" "$home/solutions"
 
 # None of them stops the grading of the other labs.
 for name in compile-error crash endless-loop missing-file; do
