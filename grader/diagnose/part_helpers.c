@@ -17,10 +17,13 @@ void part_helpers_list(FaultPart *part, const MixedFile *file) {
     }
 }
 
-void part_helpers_mark(bool tasks[], const Rubric *rubric, const MixedFile *file) {
+void part_helpers_mark(bool tasks[], const Rubric *rubric, const MixedFile *file, const FaultPart *part) {
+    const Function *caller = functions_find(&file->ours, part->ours);
     for (int i = 0; i < file->ours.count; i++) {
         const Function *ours = &file->ours.list[i];
-        if (!functions_find(&file->theirs, ours->name))
+        const bool called = caller && tokens_mention(file->ours_text + caller->begin,
+                                                     caller->end - caller->begin, ours->name);
+        if (!functions_find(&file->theirs, ours->name) && (part->helpers[0] || called))
             part_tasks_mark(tasks, rubric, file, ours->begin, ours->end);
     }
 }

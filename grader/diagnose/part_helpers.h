@@ -7,5 +7,6 @@
 // as well.
 void part_helpers_list(FaultPart *part, const MixedFile *file);
 
-// Marks the tasks that ours answers in functions that the student has not got: the helpers stand for them.
-void part_helpers_mark(bool tasks[], const Rubric *rubric, const MixedFile *file);
+// Marks the tasks that ours answers in functions that the student has not got: the helpers stand for them, or
+// the part does when ours calls them.
+void part_helpers_mark(bool tasks[], const Rubric *rubric, const MixedFile *file, const FaultPart *part);

@@ -206,8 +206,7 @@ static void note_part(Fault *fault, const SwapSearch *search, const Candidate *c
         part_helpers_list(part, file);
         find_hunks(part, file);
         part->given = part_tasks_narrow(tasks, search->rubric, file, &part->hunks);
-        if (part->helpers[0])
-            part_helpers_mark(tasks, search->rubric, file);
+        part_helpers_mark(tasks, search->rubric, file, part);
     }
     for (int t = 0; t < search->rubric->hint_count && count < FAULT_TASKS; t++)
         if (tasks[t])
