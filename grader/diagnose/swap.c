@@ -236,7 +236,7 @@ static bool choose_together(Fault *fault, SwapSearch *search, const Candidate *w
     bool found = count > 1 && try_parts(search, &before, parts, count, -1) >= passing;
     for (int i = count - 1; found && i >= 0; i--)
         if (!is_over(search) && try_parts(search, &before, parts, count, i) >= passing)
-            memmove(&parts[i], &parts[i + 1], (size_t)(--count - i) * sizeof parts[0]);
+            parts[i] = parts[--count];
     found = found && !search->stopped && count > 0 && count <= FAULT_PARTS - fault->count;
     search->lab.files[whole->file] = before;
     for (int i = 0; found && i < count; i++) {
