@@ -33,7 +33,7 @@ static uint64_t seed_of(uint64_t secret, const char *text) {
     return siphash((const uint64_t[2]){secret, start}, text, strlen(text));
 }
 
-static bool take_marks(Round *round, const char *text) {
+static bool take_marks(HandInRound *round, const char *text) {
     const size_t length = strlen(text);
     round->count = (int)(length / LINE);
     round->marks = calloc((size_t)round->count + 1, sizeof *round->marks);
@@ -49,7 +49,7 @@ static bool take_marks(Round *round, const char *text) {
 
 static bool read_round(Rounds *rounds, const char *path) {
     char *text = files_read(path, (size_t)MOST_MARKS * LINE);
-    Round round = {0};
+    HandInRound round = {0};
     const bool ok =
         text && (take_marks(&round, text) || check_fail("%s is not what build/grade wrote there", path));
     if (ok) {

@@ -11,17 +11,17 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-typedef struct Round {
+typedef struct HandInRound {
     uint64_t seed;
     uint64_t *marks; // of its hand-ins (hand_in_mark), rising
     int count;
-} Round;
+} HandInRound;
 
 typedef struct Rounds {
     const char *output; // OUT: its rounds lie in OUT/rounds/, "1" and so on
     const Roster *roster;
     uint64_t secret;
-    Round *list;
+    HandInRound *list;
     int count;
 } Rounds;
 

@@ -45,13 +45,13 @@ static int tear_down(void **state) {
 }
 
 // A run of the class, as a new process of the grader sees it.
-typedef struct Run {
+typedef struct RunOfClass {
     Roster roster;
     Rounds rounds;
     char output[FILES_PATH + 80];
-} Run;
+} RunOfClass;
 
-static void begin(Run *run, const char *output, uint64_t secret) {
+static void begin(RunOfClass *run, const char *output, uint64_t secret) {
     char path[FILES_PATH + 90];
     snprintf(run->output, sizeof run->output, "%s/%s", work, output);
     snprintf(path, sizeof path, "%s/rounds/", run->output);
@@ -60,12 +60,12 @@ static void begin(Run *run, const char *output, uint64_t secret) {
     run->rounds = (Rounds){run->output, &run->roster, secret, NULL, 0};
 }
 
-static void end(Run *run) {
+static void end(RunOfClass *run) {
     rounds_destroy(&run->rounds);
     roster_destroy(&run->roster);
 }
 
-static uint64_t seed_in(Run *run, const char *who) {
+static uint64_t seed_in(RunOfClass *run, const char *who) {
     Meeting meeting;
     const int i = roster_find(&run->roster, who);
     assert_true(i >= 0);
@@ -76,7 +76,7 @@ static uint64_t seed_in(Run *run, const char *who) {
 }
 
 static uint64_t seed_of(const char *output, uint64_t secret, const char *who) {
-    static Run run;
+    static RunOfClass run;
     begin(&run, output, secret);
     const uint64_t seed = seed_in(&run, who);
     end(&run);
@@ -128,7 +128,7 @@ static void test_same_seed(void **state) {
 
 static void test_changed_meanwhile(void **state) {
     (void)state;
-    static Run run;
+    static RunOfClass run;
     Meeting meeting;
     begin(&run, "out", 7);
     const RosterEntry *ann = &run.roster.entries[roster_find(&run.roster, "Ann")];
@@ -167,7 +167,7 @@ static void test_at_once(void **state) {
 
 static void test_sorted(void **state) {
     (void)state;
-    static Run run;
+    static RunOfClass run;
     seed_of("out", 7, "Ann");
     hand_in("Ann", "later");
     begin(&run, "out", 7);
@@ -180,7 +180,7 @@ static void test_sorted(void **state) {
 // What is not looked at must not decide: it could be changed.
 static void test_too_many(void **state) {
     (void)state;
-    static Run run;
+    static RunOfClass run;
     Meeting meeting;
     char path[FILES_PATH + 300];
     for (int i = 0; i < 20001; i++) {
@@ -198,7 +198,7 @@ static void test_too_many(void **state) {
 
 static void test_bad_list(void **state) {
     (void)state;
-    static Run run;
+    static RunOfClass run;
     static const char *const bad[] = {"", "0123\n", "0123456789abcdeg\n", "0123456789abcdef",
                                       "0123456789abcdef\n0"};
     Meeting meeting;
