@@ -151,6 +151,18 @@ expect "hand in" 0 "build/lab-03.tar.gz" "03-shadow-map/lab.c" "still to do: TOD
 printf '{\n  "labs": {\n    "03": {\n      "done": true\n    }\n  }\n}\n' >"$work/done"
 in_kit hand-in LAB=03 SHADOW_LAB_PROGRESS="$work/done"
 [[ $status == 0 && $out != *"still to do"* ]] && ok || bad "a lab that is done, with its TODOs" "$out"
+# Names that a browser, an editor or a link made are packed, as they are graded; what is missing is said.
+mv "$kit/labs/03-shadow-map/lab.c" "$work/elsewhere.c" && ln -s "$work/elsewhere.c" "$kit/labs/03-shadow-map/LAB (1).c"
+mv "$kit/labs/03-shadow-map/shadow.frag" "$kit/labs/03-shadow-map/shadow.frag.txt"
+in_kit hand-in LAB=03
+expect "hand in under other names" 0 "03-shadow-map/LAB (1).c" "03-shadow-map/shadow.frag.txt" "still to do: TODO(3.1)"
+tar -tvzf "$kit/build/lab-03.tar.gz" | grep -q '^l' && bad "a link is packed" || ok
+rm "$work/elsewhere.c" && touch "$kit/labs/03-shadow-map/labyrinth.c"
+in_kit hand-in LAB=03
+expect "a file is missing" 2 "missing: labs/03-shadow-map/lab.c; make reset"
+in_kit reset LAB=03
+in_kit hand-in LAB=03
+expect "after a reset" 0 "03-shadow-map/lab.c"
 in_kit -B build/grader/base/files.o BUILD=build
 [[ $status == 0 && $(wc -l <<<"$out") -le 2 && $out == *"building the programs"* ]] && ok || bad "the kit builds in silence" "$out"
 grade=$root/$BUILD/grade
