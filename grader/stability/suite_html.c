@@ -210,12 +210,13 @@ char *suite_html(const RowResult *results, int count, const char *folder) {
             "method, the "
             "ray-traced truth and the error: yellow is false light, blue false shadow, black does not "
             "count.</p>\n"
-            "<style>figure img { image-rendering: auto; } figure img.curves { width: 35rem; } "
+            "<style>figure img { image-rendering: auto; } figure img.curves { width: 33.5rem; } "
             "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
             "image-rendering: pixelated; } .reel label { display: flex; flex-wrap: wrap; gap: 0.5rem; "
             "max-width: 100%%; } "
             ".reel input { flex: 1; min-width: 0; "
-            "max-width: 40rem; } .state { white-space: nowrap; }</style>\n",
+            "max-width: 40rem; } .state { white-space: nowrap; } @media print { .reel label { display: none; "
+            "} }</style>\n",
             of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);
     write_summary(&page, results, count);
     bool ok = true;
