@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "class/run_log.h"
+#include "exam/handed_out.h"
 #include "jail/self_test.h"
 #include "jail/jail.h"
 #include "jail/jail_choose.h"
@@ -13,6 +14,7 @@
 #include "base/progress_bar.h"
 #include "class/roster.h"
 #include "class/regrade.h"
+#include "class/rounds.h"
 #include "class/run_folder.h"
 
 #include <malloc.h>
@@ -30,6 +32,7 @@ typedef struct Class {
     Roster roster;
     RunSettings plan;
     Origin origin;
+    Rounds rounds;
     Session session; // of a process of the pool, once it has graded something
     bool ready;
     ProgressBar bar;
@@ -52,6 +55,20 @@ static void keep_memory(void) {
     mallopt(M_TRIM_THRESHOLD, 256 * MIB);
 }
 
+// By the exam of its round. Where exams are recorded (handed_out.h) there is only that of the class's seed.
+static bool grade_in_round(Class *class, const RosterEntry *entry, const char *path, Report *report) {
+    Session *session = &class->session;
+    Meeting meeting;
+    if (!session->attempts)
+        return session_grade(session, path, report);
+    if (!rounds_meet(&class->rounds, entry, &meeting))
+        return false;
+    session->meets = meeting.alone ? NULL : &meeting.seed;
+    const bool ok = session_grade(session, path, report) && rounds_same(&class->rounds, entry, &meeting);
+    session->meets = NULL;
+    return ok;
+}
+
 static bool grade_entry(Class *class, const RosterEntry *entry, Report *report) {
     char path[FILES_PATH];
     bool made;
@@ -61,7 +78,7 @@ static bool grade_entry(Class *class, const RosterEntry *entry, Report *report) 
     if (!class->ready)
         class->ready = run_settings_session(&class->plan, &class->jail, &class->session);
     bool ok = class->ready && roster_fetch(&class->roster, entry, path, &made) &&
-              session_grade(&class->session, path, report) && is_to_blame(class, report) &&
+              grade_in_round(class, entry, path, report) && is_to_blame(class, report) &&
               submission_record_write(class->settings->output, entry, report,
                                       origin_json(&class->origin, &class->plan, facts.hash), &facts);
     if (class->ready && made)
@@ -116,13 +133,13 @@ static bool choose(const Class *class, int *jobs, int *count) {
 }
 
 static bool make_folders(const char *output) {
+    static const char *const folders[] = {"results/", "pages/", "rounds/"};
     char path[FILES_PATH];
-    files_join(path, output, "results/");
-    if (!files_make_folder(path))
-        return false;
-    files_join(path, output, "pages/");
-    if (!files_make_folder(path))
-        return false;
+    for (int i = 0; i < 3; i++) {
+        files_join(path, output, folders[i]);
+        if (!files_make_folder(path))
+            return false;
+    }
     files_join(path, output, "..");
     files_sync_folder(path); // what is in OUT is synced with its files
     return true;
@@ -138,7 +155,7 @@ static bool grade_all(Class *class) {
     size_t most = (size_t) class->roster.count + (size_t)settings->only_count;
     int *jobs = calloc(most, sizeof *jobs), count;
     INVARIANT(jobs);
-    bool ok = choose(class, jobs, &count);
+    bool ok = choose(class, jobs, &count) && (handed_out_alone() || rounds_sort(&class->rounds, jobs, count));
     if (ok) {
         int processes = settings->jobs ? settings->jobs : processor_count();
         const Pool pool = {.processes = processes < count ? processes : count,
@@ -187,7 +204,9 @@ static void note_ignored(const Roster *roster) {
 
 static bool grade_in_jail(Class *class) {
     const Jail *chosen;
+    class->rounds = (Rounds){class->settings->output, &class->roster, class->plan.seed, NULL, 0};
     bool ok = jail_choose(&class->jail, class->settings->route, false, "grade", &chosen) && grade_all(class);
+    rounds_destroy(&class->rounds);
     jail_destroy(&class->jail);
     return ok;
 }

@@ -17,6 +17,10 @@ typedef struct HandInFacts {
 // said by who tries.
 HandInFacts hand_in_facts(const Roster *roster, const RosterEntry *entry);
 
+// The same as a number that nobody can foresee, or make come twice, without the secret. False when the entry
+// holds more files than are looked at, so that the number does not stand for all.
+bool hand_in_mark(uint64_t *mark, const Roster *roster, const RosterEntry *entry, uint64_t secret);
+
 // Goes on from `hash` over the size and the bytes of a file; a file that is not there adds nothing.
 uint64_t hand_in_hash_file(uint64_t hash, const char *path);
 

@@ -25,9 +25,9 @@ static void remove_linked(const char *link) {
 }
 
 static void sweep(const char *output) {
-    static const char *const folders[] = {".", "results", "pages"};
+    static const char *const folders[] = {".", "results", "pages", "rounds"};
     char path[FILES_PATH];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         files_join(path, output, folders[i]);
         files_forget_new(path);
     }

@@ -202,20 +202,52 @@ const Image *exam_partial(Exam *exam, int t, int c, int n) {
                 : NULL;
 }
 
+typedef void VisitLate(LatePicture *late, size_t *bytes);
+
+static void visit_late(Exam *exam, int c, int n, VisitLate *visit, size_t *bytes) {
+    for (int m = 0; m < EXAM_MAX_MISTAKES; m++)
+        visit(&exam->mistakes[m][c][n], bytes);
+    for (int t = 0; t < EXAM_MAX_TASKS; t++)
+        visit(&exam->partials[t][c][n], bytes);
+    for (int a = 0; a < RUBRIC_MAX_ALSO; a++)
+        visit(&exam->also[a][c][n], bytes);
+    for (int p = 0; p < EXAM_MAX_PARTS; p++)
+        visit(&exam->resets[p][c][n], bytes);
+}
+
+static void visit_all_late(Exam *exam, int checks, VisitLate *visit, size_t *bytes) {
+    for (int c = 0; c < checks; c++)
+        for (int n = 0; n < EXAM_MAX_VARIANTS; n++)
+            visit_late(exam, c, n, visit, bytes);
+}
+
+static void weigh_late(LatePicture *late, size_t *bytes) {
+    *bytes += late->image.rgba ? image_bytes(&late->image) : 0;
+}
+
+static void forget_late(LatePicture *late, size_t *bytes) {
+    (void)bytes;
+    image_destroy(&late->image);
+    *late = (LatePicture){0};
+}
+
+void exam_forget_late(Exam *exam, size_t most) {
+    const int checks = exam->rubric->check_count;
+    size_t bytes = 0;
+    if (!exam->painters)
+        return;
+    visit_all_late(exam, checks, weigh_late, &bytes);
+    if (bytes > most)
+        visit_all_late(exam, checks, forget_late, &bytes);
+}
+
 void exam_destroy(Exam *exam) {
+    visit_all_late(exam, RUBRIC_MAX_CHECKS, forget_late, NULL);
     for (int c = 0; c < RUBRIC_MAX_CHECKS; c++)
         for (int n = 0; n < EXAM_MAX_VARIANTS; n++) {
             image_destroy(&exam->variants[c][n].reference);
             image_destroy(&exam->variants[c][n].without);
             image_destroy(&exam->variants[c][n].skeleton);
-            for (int m = 0; m < EXAM_MAX_MISTAKES; m++)
-                image_destroy(&exam->mistakes[m][c][n].image);
-            for (int t = 0; t < EXAM_MAX_TASKS; t++)
-                image_destroy(&exam->partials[t][c][n].image);
-            for (int a = 0; a < RUBRIC_MAX_ALSO; a++)
-                image_destroy(&exam->also[a][c][n].image);
-            for (int p = 0; p < EXAM_MAX_PARTS; p++)
-                image_destroy(&exam->resets[p][c][n].image);
         }
     if (exam->parts)
         parts_destroy(exam->parts);

@@ -56,6 +56,10 @@ bool exam_acceptable(const Variant *variants, int n);
 bool exam_create(Exam *exam, const Rubric *rubric, Painters *painters, uint64_t seed);
 void exam_destroy(Exam *exam); // accepts a zeroed exam
 
+// Frees what was drawn later when that is more than `most` bytes; it is drawn again when it is asked for.
+// Pointers to such pictures end. Nothing of a recorded exam is freed.
+void exam_forget_late(Exam *exam, size_t most);
+
 // The same requests as exam_create makes, from its `tries`, but no pictures. False with a message.
 bool exam_restore(Exam *exam, const Rubric *rubric, uint64_t seed,
                   int tries[RUBRIC_MAX_CHECKS][EXAM_MAX_VARIANTS]);

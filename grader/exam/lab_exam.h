@@ -54,6 +54,10 @@ Exam *lab_exam_exam(LabExam *examiner, const GradeOptions *options);
 // there is nothing to draw.
 void lab_exam_begin(LabExam *examiner, const GradeOptions *options);
 
+// Between submissions: keeps what was drawn of the exam within some 128 MiB beside its references. Pictures
+// of mistakes that one submission needed are mostly those that the next one needs.
+void lab_exam_trim(LabExam *examiner);
+
 // Stops what draws the exam until a picture is wanted that it has not got: it holds some 200 MiB a lab.
 void lab_exam_rest(LabExam *examiner);
 

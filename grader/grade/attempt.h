@@ -1,5 +1,4 @@
-// What each attempt of a class is asked: a seed of its own, so that nothing that is seen of one attempt helps
-// the next.
+// A seed of its own for one attempt, so that nothing that is seen of it helps the next.
 #pragma once
 
 #include "exam/lab_exam.h"

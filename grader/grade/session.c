@@ -85,6 +85,7 @@ static bool grade_one(Session *session, const Submission *submission, int i, Rep
     grade_warn(result, submission->note);
     if (ok && result_was_drawn(result)) // whatever the exam was drawn for before
         memcpy(report->renderer, examiner->exam->renderer, sizeof report->renderer);
+    lab_exam_trim(examiner);
     if (!session->keep)
         lab_exam_forget(examiner);
     else if (session->lab_count > 1)
@@ -109,7 +110,9 @@ bool session_grade(Session *session, const char *path, Report *report) {
     const Extracted opened = submission_open(&submission, session->options.jail, path);
     if (session->attempts)
         report->seed = session->options.seed =
-            attempt_seed(session->secret, &submission, session->examiners, session->lab_count);
+            session->meets
+                ? *session->meets
+                : attempt_seed(session->secret, &submission, session->examiners, session->lab_count);
     bool ok = opened == EXTRACT_OK ||
               (opened == EXTRACT_BAD_ARCHIVE && refuse_all(session, check_message(), report));
     for (int i = 0; opened == EXTRACT_OK && ok && i < session->lab_count; i++)

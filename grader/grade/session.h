@@ -8,7 +8,9 @@
 typedef struct Session {
     GradeOptions options;
     bool keep;     // exams from one submission to the next; else each is freed when its lab is done
-    bool attempts; // each submission has a seed of its own (attempt.h), made from `secret`
+    bool attempts; // each submission has a seed of its own: that of `meets`, or without it (NULL) one made
+                   // from its files and `secret` (attempt.h)
+    const uint64_t *meets;
     uint64_t secret;
     bool complete; // labs that were not handed in are in the report, too, also of a folder of one lab
     int lab_count;

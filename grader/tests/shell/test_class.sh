@@ -16,6 +16,8 @@ expect "a class" 0 "submissions, 0 not graded" "Ann Lee" "new\\x0aline"
 [[ $(head -1 "$work/whole/grades.csv") == "submission,lab 03,total,status,student,id,late,reason" ]] && ok || bad "the head of grades.csv" "$(head -3 "$work/whole/grades.csv")"
 rows=$(($(wc -l <"$work/whole/grades.csv") - 1))
 [[ $rows == $(ls "$work"/whole/results | wc -l) && $rows == $(ls "$work"/whole/pages | wc -l) && $rows -ge 10 ]] && ok || bad "a row, a record and a page a submission" "$(ls -R "$work/whole")"
+seeds() { sed -n 's/^ *"seed": "\([0-9]*\)".*/\1/p' "$1"/results/*.json | sort -u; }
+[[ $(seeds "$work/whole" | wc -l) == 1 && $(ls "$work/whole/rounds") == 1 ]] && ok || bad "who hands in together meets one exam" "$(seeds "$work/whole")"
 of() { # NAME PATTERN: the row of the submission
     grep -E "^\"$1(\.zip|\.tar\.gz)?\"," "$work/whole/grades.csv" | cut -d'"' -f3 | grep -qE "$2" && ok || bad "the grade of $1 is not $2" "$(cat "$work/whole/grades.csv")"
 }
@@ -102,6 +104,7 @@ mapfile -t names < <("$grade" --class "$class" --list)
 grades "${common[@]}" --output "$work/array" --only "${names[0]}" --only "${names[1]}" &
 "$grade" "${common[@]}" --output "$work/array" --only "Ann Lee" >/dev/null 2>&1
 wait
+[[ $(seeds "$work/array") == "$(seeds "$work/whole")" ]] && ok || bad "tasks meet another exam" "$(seeds "$work/array")"
 grades --class "$class" --output "$work/array" --gather
 expect "some are missing" 3 "$((rows - 3)) not graded"
 grep -q '^"Ann Lee",95.00,95.00,passed,' "$work/array/grades.csv" && grep -q ',,,not graded,' "$work/array/grades.csv" && ok || bad "gathered" "$(cat "$work/array/grades.csv")"

@@ -87,12 +87,16 @@ expect "an empty class" 3 "holds no folder and no archive"
 # The log, and what is graded again: what changed, and only that.
 grep -qE '^[0-9-]+ [0-9:]+ Ann Lee_101_assignsubmission_file_: 100.00 of 100$' "$output/log" && ok || bad "the log" "$(cat "$output/log")"
 again() { grades --class "$class" --output "$output" --resume; }
+seed_of() { sed -n 's/^ *"seed": "\([0-9]*\)".*/\1/p' "$output/results/$1"*.json; } # of the exam that a hand-in met
+first=$(seed_of guest)
+[[ $first && $first == "$(seed_of Bo)" ]] && ok || bad "who hands in together meets one exam"
 again
 [[ $status == 0 && $out != *again* ]] && ok || bad "nothing changed: nothing is graded again" "$out"
 cp solutions/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$class/guest/03-shadow-map"
 again
 expect "another submission" 0 "graded again: 1 with another submission than when they were graded"
 is "it is graded anew" "$(row guest "lab 03")" "1|100.00"
+[[ $(seed_of guest) != "$first" ]] && ok || bad "who hands in again meets an exam that he may have seen"
 touch "$class"/guest/03-shadow-map/* && mkdir -p "$class/guest/.git" && echo x >"$class/guest/.git/index"
 again
 [[ $out != *again* ]] && ok || bad "times and version control are no change" "$out"
@@ -116,6 +120,7 @@ gather
 cp labs/03-shadow-map/{lab.c,shadow.frag,predictions.txt} "$class/guest/03-shadow-map"
 grades --class "$class" --output "$output" --only guest
 is "--only makes the tables, too" "$(row guest "lab 03")" "1|0.00"
+[[ $(seed_of guest) == "$first" && $(seed_of Ann) == "$first" && $(seed_of Bo) == "$first" ]] && ok || bad "what has not changed meets another exam"
 
 # What people decide stands beside what was measured.
 cat >"$work/overrides.csv" <<'CSV'

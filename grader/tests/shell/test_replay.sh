@@ -45,6 +45,7 @@ for ((i = 0; i < 4; i++)); do
 done
 ((knows > 0)) && ok || bad "nothing was learnt from the pages of a class"
 [[ $(printf '%s\n' "${seeds[@]}" | sort -u | wc -l) == 4 ]] && ok || bad "an attempt meets the variants of another" "${seeds[*]}"
+[[ $(cd "$out_folder/rounds" && ls) == $'1\n2\n3\n4' ]] && ok || bad "each attempt begins a round" "$(ls "$out_folder/rounds")"
 grep -q "${seeds[0]}" "$work/page.html" && bad "the page tells the seed" || ok
 # SECRET lines are those of the public seed, the same whatever the class's seed is.
 spied() { grep -o 'SECRET [-0-9.]*' "$1" | sort -u; }
