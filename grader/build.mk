@@ -137,6 +137,6 @@ $(BUILD)/jail_unpack: $(call inside,unpack)
 
 %/node_modules/.package-lock.json: %/package.json
 	@command -v npm >/dev/null || { echo "npm is missing; it comes with: common/setup --check" >&2; exit 1; }
-	cd $* && npm install --no-package-lock --no-audit --no-fund --loglevel=error && touch node_modules/.package-lock.json
+	cd $* && npm install --no-package-lock --no-audit --no-fund --no-update-notifier --loglevel=error && touch node_modules/.package-lock.json
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
