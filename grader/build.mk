@@ -81,10 +81,10 @@ TABLE_rows := Row stability/row.h
 tables = $(foreach file,$(shell grep -l 'LAB_TABLE\[\]' $(call brought,$(1)) /dev/null),$(call lab_table,$(file)))
 $(BUILD)/tables/%.c: always
 	@mkdir -p $(@D)
-	@printf '%s\n' '#include "$(lastword $(TABLE_$*))"' \
+	@text=$$(printf '%s\n' '#include "$(lastword $(TABLE_$*))"' \
 		$(foreach table,$(call tables,$*),'extern const $(firstword $(TABLE_$*)) $(table)[];') \
-		'const $(firstword $(TABLE_$*)) *const $*_tables[] = {$(foreach table,$(call tables,$*),$(table), )NULL};' >$@.new
-	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+		'const $(firstword $(TABLE_$*)) *const $*_tables[] = {$(foreach table,$(call tables,$*),$(table), )NULL};'); \
+	if ! cmp -s - $@ <<<"$$text"; then echo "$$text" >$@.new && mv $@.new $@; fi
 $(BUILD)/tables/%.o: $(BUILD)/tables/%.c | $(BUILD)/include/glad/gl.h
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 always:
