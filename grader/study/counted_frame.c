@@ -30,8 +30,8 @@ bool counted_frame(LabArtist *artist, const Request *request, MeasuredErrors *er
     for (asked.fresh = 1; result == DRAW_OK && asked.fresh >= 0; asked.fresh--)
         result = worker_client_draw(client, &asked, &image, &reply);
     if (result != DRAW_OK)
-        return !artist->painter ||
-               check_fail("lab %s could not draw: %s (while it was counted)", artist->rubric.id, reply.message);
+        return !artist->painter || check_fail("lab %s could not draw: %s (while it was counted)",
+                                              artist->rubric.id, reply.message);
     errors->reads = reply.counts.taps;
     errors->fragments = reply.counts.fragments;
     errors->cleared = reply.counts.texels;
