@@ -19,6 +19,8 @@ $(if $(ABSENT),$(error make $(ABSENT) is not in this kit; make help lists what i
 
 ifeq ($(wildcard solutions),) # who has the kit wants to see what fails, and not hundreds of commands
 .SILENT:
+# It brings no labs/, which would lie over what was solved in an older one.
+$(if $(shell $(SCRIPTS)/lay_out >&2 || echo failed),$(error labs/ is not whole))
 endif
 
 # Where nothing was built and nothing can be, as on a read-only medium, gcc would only say so file by file.

@@ -34,16 +34,18 @@ static void name_cause(CheckResult *check, const char *mistake, const char *hint
     snprintf(check->hint, sizeof check->hint, "%s", hint ? hint : "");
 }
 
-// The open task that explains why check c failed: its own, or the first that it needs. -1: none.
+// The open task that explains why check c failed: its own, or the first that it needs. -1: none. Whether its
+// own is open may be unsure, and one that it needs the reason why it shows no effect.
 static int find_open(const Diagnosis *this, int c) {
     const Rubric *rubric = this->exam->rubric;
     const int own = rubric_task_index(rubric, this->result->checks[c].check->task);
-    if (own >= 0 && this->open.open[own])
+    const bool is_open = own >= 0 && this->open.open[own];
+    if (is_open && !this->open.unsure[own])
         return own;
     for (int t = 0; t < rubric->hint_count; t++)
         if (this->open.open[t] && exam_without_task(this->exam, t, c) == EXAM_FAILS)
             return t;
-    return -1;
+    return is_open ? own : -1;
 }
 
 static void name_open(Diagnosis *this, int c, int t) {

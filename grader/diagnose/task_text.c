@@ -143,17 +143,65 @@ static bool shares_above(const char *at, Span theirs, const char *our_at, Span o
            is_empty(after(our_other, ours));
 }
 
+// The last words of the piece, of which there may be fewer.
+static Span end_of(Span piece) {
+    const char *begins[BEGIN_WORDS] = {piece.begin, piece.begin, piece.begin};
+    for (const char *at = piece.begin;;) {
+        const Token token = tokens_next(&at);
+        if (token.kind == TOKEN_END || token.text >= piece.end)
+            return (Span){begins[0], piece.end};
+        memmove(begins, begins + 1, (BEGIN_WORDS - 1) * sizeof *begins);
+        begins[BEGIN_WORDS - 1] = token.text;
+    }
+}
+
+// Does the piece hold these words, too, above its end?
+static bool holds_above_end(Span piece, Span words) {
+    const int count = count_words(words, BEGIN_WORDS);
+    for (const char *at = piece.begin; at < piece.end;) {
+        const char *end = at;
+        for (int i = 0; i < count; i++)
+            tokens_next(&end);
+        if (end < piece.end && same((Span){at, end}, words))
+            return true;
+        if (tokens_next(&at).kind == TOKEN_END)
+            return false;
+    }
+    return false;
+}
+
+// Stand the words right above the mark that were handed out there?
+static bool same_right_above(const char *at, Span theirs, const char *our_at, Span ours) {
+    const Span words = end_of(before(our_at, ours));
+    return !is_empty(words) && same(end_of(before(at, theirs)), words);
+}
+
+// Was code put in between the mark and those words?
+static bool written_right_above(const char *at, Span theirs, const char *our_at, Span ours) {
+    const Span words = end_of(before(our_at, ours));
+    return !is_empty(words) && !same_right_above(at, theirs, our_at, ours) &&
+           holds_above_end(before(at, theirs), words);
+}
+
+// Where answers stand above their TODOs: what stands above those words belongs to the TODO before.
+static bool untouched_above(const char *at, Span theirs, const char *our_at, Span ours) {
+    return same(before(at, theirs), before(our_at, ours)) ||
+           (todo_before(at, theirs) && same_right_above(at, theirs, our_at, ours));
+}
+
 static TaskText compare_at(const char *at, Span theirs, const char *our_at, Span ours) {
+    const bool right_above = written_right_above(at, theirs, our_at, ours);
     if (written_above(theirs, ours))
-        return same(before(at, theirs), before(our_at, ours)) ? TASK_TEXT_HANDED_OUT : TASK_TEXT_WRITTEN;
+        return untouched_above(at, theirs, our_at, ours) ? TASK_TEXT_HANDED_OUT : TASK_TEXT_WRITTEN;
     if (same(after(at, theirs), after(our_at, ours)))
-        return shares_below(at, theirs, our_at, ours) ? TASK_TEXT_EITHER : TASK_TEXT_HANDED_OUT;
+        return right_above || shares_below(at, theirs, our_at, ours) ? TASK_TEXT_EITHER
+                                                                     : TASK_TEXT_HANDED_OUT;
     if (same_mark(next_todo(at, theirs), next_todo(our_at, ours)))
         return shares_above(at, theirs, our_at, ours) ? TASK_TEXT_EITHER : TASK_TEXT_WRITTEN;
     const Span piece = after(our_at, ours); // and code of tasks whose TODOs are gone
-    const bool replaced =
-        count_words(piece, BEGIN_WORDS) == BEGIN_WORDS && !same_begin(after(at, theirs).begin, piece.begin);
-    return replaced ? TASK_TEXT_WRITTEN : TASK_TEXT_UNKNOWN;
+    if (count_words(piece, BEGIN_WORDS) == BEGIN_WORDS && !same_begin(after(at, theirs).begin, piece.begin))
+        return TASK_TEXT_WRITTEN;
+    return right_above ? TASK_TEXT_EITHER : TASK_TEXT_UNKNOWN;
 }
 
 bool task_text_put_before(const char *text, const char *at, const char *mark, const char *without) {

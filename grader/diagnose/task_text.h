@@ -6,15 +6,16 @@
 typedef enum TaskText {
     TASK_TEXT_HANDED_OUT, // nothing was written there
     TASK_TEXT_WRITTEN,    // something was
-    TASK_TEXT_EITHER,     // something was, here or at the TODO right above or below, which is there, too
+    TASK_TEXT_EITHER,     // something was, here or at the TODO above or below
     TASK_TEXT_UNKNOWN     // the TODOs beside it are gone, so that it may be another task's
 } TaskText;
 
 // Compares what belongs to the mark "TODO(3.5)" at `at` in `text` with what belongs to the same mark of the
 // same function in `skeleton`, the file as it was handed out. That is what follows it up to the next TODO or
 // the end of the function; where code was put in above a function's first TODO and none below its last, what
-// stands before it. Outside of functions it ends where the next function of the skeleton begins. Blanks and
-// comments do not count.
+// stands before it. Code right above the mark, below the words that were handed out there, may be its answer
+// or that of the task above. Outside of functions it ends where the next function of the skeleton begins.
+// Blanks and comments do not count.
 TaskText task_text_compare(const char *text, const char *at, const char *mark, const char *skeleton);
 
 // Does what follows the mark in `text` say more than in `without`, a version without the task's answer: that,

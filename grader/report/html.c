@@ -9,11 +9,14 @@ static const char *class_of(bool good) {
     return good ? "good" : "bad";
 }
 
-static void write_check(Page *page, const CheckResult *check) {
+// A hint that stands above already, at `before`, is not said again.
+static void write_check(Page *page, const CheckResult *check, const CheckResult *before) {
     fprintf(page->out, "<tr><td class=\"%s\">%s</td><td>%s</td><td>", class_of(check->passed),
             check->passed ? "passed" : "failed", check->check->task);
     page_text(page, check->check->name);
-    fprintf(page->out, "%s</td>" PAGE_POINTS "<td class=\"number\">%.2f of %d</td>" PAGE_POINTS_END "<td>",
+    fprintf(page->out,
+            "%s</td>" PAGE_POINTS "<td class=\"number\">%.2f of %d</td>" PAGE_POINTS_END
+            "<td class=\"said\">",
             check->check->optional ? " <span class=\"quiet\">(optional)</span>" : "", result_points(check),
             check->check->points);
     if (check->has_cause) {
@@ -25,20 +28,25 @@ static void write_check(Page *page, const CheckResult *check) {
             page_prose(page, check->seen);
             fputs("</p>", page->out);
         }
-        fputs("<p class=\"hint\">", page->out);
-        page_prose(page, check->hint);
-        fputs("</p>", page->out);
+        if (!before || strcmp(before->hint, check->hint) != 0) {
+            fputs("<p class=\"hint\">", page->out);
+            page_prose(page, check->hint);
+            fputs("</p>", page->out);
+        }
     }
     fputs("</td></tr>\n", page->out);
 }
 
 static void write_checks(Page *page, const LabResult *lab) {
+    const CheckResult *before = NULL;
     char label[40];
     snprintf(label, sizeof label, "Checks of lab %s", lab->id);
     page_begin_table(page, label,
                      (const char *const[]){"result", "task", "check", "#points", "what is wrong", NULL});
-    for (int c = 0; c < lab->check_count; c++)
-        write_check(page, &lab->checks[c]);
+    for (int c = 0; c < lab->check_count; c++) {
+        write_check(page, &lab->checks[c], before);
+        before = lab->checks[c].has_cause ? &lab->checks[c] : before;
+    }
     page_end_table(page);
 }
 
@@ -51,7 +59,8 @@ static void write_prediction(Page *page, const PredictionResult *result, int n) 
     page_text(page, result->question);
     fputs("</td><td>", page->out);
     page_text(page, result->typed);
-    fprintf(page->out, "</td>" PAGE_POINTS "<td class=\"number\">%d of %d</td>" PAGE_POINTS_END "<td>",
+    fprintf(page->out,
+            "</td>" PAGE_POINTS "<td class=\"number\">%d of %d</td>" PAGE_POINTS_END "<td class=\"said\">",
             result->right ? result->points : 0, result->points);
     page_prose(page, result->why);
     fputs("</td></tr>\n", page->out);

@@ -2,6 +2,8 @@
 // broken at words.
 #include "report/report.h"
 
+#include "base/color.h"
+
 #include <string.h>
 
 enum { BAR = 30, LEAST = 20 };
@@ -123,9 +125,15 @@ static void print_lab(const LabResult *lab, FILE *out, const Colors *colors) {
 }
 
 void report_text(const Report *report, FILE *out, bool color, int columns) {
-    const Colors colors =
-        color ? (Colors){"\033[32m", "\033[31m", "\033[33m", "\033[2m", "\033[1m", "\033[0m", columns}
-              : (Colors){"", "", "", "", "", "", columns};
+    const Colors plain = {"", "", "", "", "", "", columns};
+    const Colors colored = {color_begin(COLOR_GOOD),
+                            color_begin(COLOR_BAD),
+                            color_begin(COLOR_NOTE),
+                            color_begin(COLOR_DIM),
+                            color_begin(COLOR_BOLD),
+                            COLOR_END,
+                            columns};
+    const Colors colors = color ? colored : plain;
     for (int i = 0; i < report->lab_count; i++)
         print_lab(&report->labs[i], out, &colors);
     fprintf(out, "%s%.2f of %.0f points%s (seed %llu, %s, %.1f s)\n", colors.bold, result_score(report),

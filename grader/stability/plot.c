@@ -9,7 +9,8 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { WIDTH = 620, HEIGHT = 380, KEY_HEIGHT = 20 };
+// A figure is readable when a phone shows it 345 pixels wide.
+enum { WIDTH = 560, HEIGHT = 370, KEY_HEIGHT = 22, LETTERS = 15 };
 
 static void write_quoted(FILE *out, const char *text) {
     fputc('\'', out);
@@ -100,22 +101,36 @@ void plot_name(char name[PLOT_NAME], const Row *row) {
     snprintf(name, PLOT_NAME, "stability-%02d.svg", row->number);
 }
 
-static void write_row(FILE *out, const RowResult *result) {
-    const Findings *findings = &result->findings;
-    char name[PLOT_NAME];
+void plot_figure_name(char name[PLOT_NAME], const Row *row, int figure) {
+    snprintf(name, PLOT_NAME, "stability-%02d-%d.svg", row->number, figure + 1);
+}
+
+// Some of the row's figures, side by side in one file.
+static void write_picture(FILE *out, const Findings *findings, const char *name, int first, int count) {
     int most = 0;
-    for (int i = 0; i < findings->figure_count; i++)
+    for (int i = first; i < first + count; i++)
         most = findings->figures[i].count > most ? findings->figures[i].count : most;
-    plot_name(name, result->row);
-    fprintf(out, "set terminal svg size %d,%d enhanced font 'sans-serif,13' background '#ffffff'\n",
-            WIDTH * findings->figure_count, HEIGHT + KEY_HEIGHT * most);
+    fprintf(out, "set terminal svg size %d,%d enhanced font 'sans-serif,%d' background '#ffffff'\n",
+            WIDTH * count, HEIGHT + KEY_HEIGHT * most, LETTERS);
     fprintf(out,
             "set output '%s'\nset grid lc rgb '#dddddd'\nset key below maxcols 1 noenhanced\nset multiplot "
             "layout 1,%d\n",
-            name, findings->figure_count);
-    for (int i = 0; i < findings->figure_count; i++)
+            name, count);
+    for (int i = first; i < first + count; i++)
         write_figure(out, &findings->figures[i], i);
     fputs("unset multiplot\nunset output\n", out);
+}
+
+// All in one file, and each alone, for pages that are too narrow for all.
+static void write_row(FILE *out, const RowResult *result) {
+    const Findings *findings = &result->findings;
+    char name[PLOT_NAME];
+    plot_name(name, result->row);
+    write_picture(out, findings, name, 0, findings->figure_count);
+    for (int i = 0; i < findings->figure_count; i++) {
+        plot_figure_name(name, result->row, i);
+        write_picture(out, findings, name, i, 1);
+    }
 }
 
 bool plot_all(const RowResult *results, int count, const char *folder) {

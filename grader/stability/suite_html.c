@@ -12,13 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    MOST_SVG = 1 << 22,
-    // Pixels of one figure of a row: its words stay readable on a phone, where the figures scroll by
-    // themselves.
-    WIDEST = 620,
-    NARROWEST = 520
-};
+enum { MOST_SVG = 1 << 22 };
 
 static const char *status_class(RowStatus status) {
     static const char *const classes[] = {"good", "bad", "quiet"};
@@ -108,34 +102,36 @@ static void write_verdict(Page *page, const Curve *curve) {
     fputs("</li>\n", page->out);
 }
 
-static bool write_figures(Page *page, const RowResult *result, const char *folder) {
+static bool write_figure(Page *page, const RowResult *result, int i, const char *folder) {
     char path[FILES_PATH], name[PLOT_NAME];
-    plot_name(name, result->row);
+    plot_figure_name(name, result->row, i);
     files_join(path, folder, name);
     char *svg = files_read(path, MOST_SVG);
     if (!svg)
         return false;
-    const int figures = result->findings.figure_count;
-    fprintf(page->out,
-            "<figure><div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Curves of row %d\">"
-            "<img class=\"curves\" style=\"width:%dpx;min-width:%dpx\" alt=\"Curves:",
-            result->row->number, WIDEST * figures, NARROWEST * figures);
-    for (int i = 0; i < result->findings.figure_count; i++) {
-        fputc(' ', page->out);
-        page_text(page, result->findings.figures[i].title);
-        fputc('.', page->out);
-    }
-    fputs(" Their numbers stand below.\" src=\"", page->out);
+    fputs("<img class=\"curves\" alt=\"Curves: ", page->out);
+    page_text(page, result->findings.figures[i].title);
+    fputs(". Their numbers stand below.\" src=\"", page->out);
     page_data(page, "image/svg+xml", svg, strlen(svg));
-    fputs("\"></div></figure>\n<ul>\n", page->out);
+    fputs("\">", page->out);
     free(svg);
-    for (int i = 0; i < result->findings.figure_count; i++)
-        for (int c = 0; c < result->findings.figures[i].count; c++)
-            write_verdict(page, &result->findings.figures[i].curves[c]);
-    fputs("</ul>\n", page->out);
-    for (int i = 0; i < result->findings.figure_count; i++)
-        write_numbers(page, &result->findings.figures[i]);
     return true;
+}
+
+static bool write_figures(Page *page, const RowResult *result, const char *folder) {
+    const Findings *findings = &result->findings;
+    bool ok = true;
+    fputs("<figure>", page->out);
+    for (int i = 0; ok && i < findings->figure_count; i++)
+        ok = write_figure(page, result, i, folder);
+    fputs("</figure>\n<ul>\n", page->out);
+    for (int i = 0; i < findings->figure_count; i++)
+        for (int c = 0; c < findings->figures[i].count; c++)
+            write_verdict(page, &findings->figures[i].curves[c]);
+    fputs("</ul>\n", page->out);
+    for (int i = 0; i < findings->figure_count; i++)
+        write_numbers(page, &findings->figures[i]);
+    return ok;
 }
 
 static void write_frame(Page *page, const RowFrame *frame) {
@@ -214,13 +210,13 @@ char *suite_html(const RowResult *results, int count, const char *folder) {
             "method, the "
             "ray-traced truth and the error: yellow is false light, blue false shadow, black does not "
             "count.</p>\n"
-            "<style>figure img { image-rendering: auto; } figure .wide { max-width: 100%%; } "
-            "figure img.curves { max-width: 100%%; } "
+            "<style>figure img { image-rendering: auto; } figure img.curves { width: 33.5rem; } "
             "figure img.strip { width: 60rem; max-height: 30rem; object-fit: contain; object-position: left; "
             "image-rendering: pixelated; } .reel label { display: flex; flex-wrap: wrap; gap: 0.5rem; "
             "max-width: 100%%; } "
             ".reel input { flex: 1; min-width: 0; "
-            "max-width: 40rem; } .state { white-space: nowrap; }</style>\n",
+            "max-width: 40rem; } .state { white-space: nowrap; } @media print { .reel label { display: none; "
+            "} }</style>\n",
             of_status[ROW_PASS], of_status[ROW_FAIL], of_status[ROW_NOT_BUILT]);
     write_summary(&page, results, count);
     bool ok = true;

@@ -4,10 +4,6 @@
 #include <stdarg.h>
 #include <string.h>
 
-static const char *const codes[] = {
-    [STYLE_PLAIN] = "",        [STYLE_GOOD] = "\033[32m", [STYLE_BAD] = "\033[31m",
-    [STYLE_NOTE] = "\033[33m", [STYLE_BOLD] = "\033[1m",  [STYLE_DIM] = "\033[2m"};
-
 void sheet_begin(Sheet *sheet, int columns) {
     sheet->columns = columns < SHEET_WIDTH ? columns : SHEET_WIDTH - 1;
     sheet->count = 0;
@@ -88,7 +84,8 @@ void sheet_bar(char *text, size_t size, double share, int width) {
 
 static void put_text(FILE *out, Style style, const char *text, int width, bool color) {
     const bool styled = color && style != STYLE_PLAIN;
-    fprintf(out, "%s%.*s%s", styled ? codes[style] : "", clip(text, width), text, styled ? "\033[0m" : "");
+    fprintf(out, "%s%.*s%s", styled ? color_begin((ColorUse)style) : "", clip(text, width), text,
+            styled ? COLOR_END : "");
 }
 
 static void put_line(FILE *out, const PageLine *line, int columns, bool color) {

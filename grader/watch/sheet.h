@@ -1,12 +1,21 @@
 // Lines of text with a style, wrapped at words, and shown so that they fit the terminal.
 #pragma once
 
+#include "base/color.h"
+
 #include <stdbool.h>
 #include <stdio.h>
 
 enum { SHEET_LINES = 320, SHEET_WIDTH = 320, SHEET_MARK = 8 };
 
-typedef enum Style { STYLE_PLAIN, STYLE_GOOD, STYLE_BAD, STYLE_NOTE, STYLE_BOLD, STYLE_DIM } Style;
+typedef enum Style {
+    STYLE_PLAIN = COLOR_PLAIN,
+    STYLE_GOOD = COLOR_GOOD,
+    STYLE_BAD = COLOR_BAD,
+    STYLE_NOTE = COLOR_NOTE,
+    STYLE_BOLD = COLOR_BOLD,
+    STYLE_DIM = COLOR_DIM
+} Style;
 
 typedef struct PageLine {
     Style mark_style, style;

@@ -14,7 +14,12 @@
 static const Color white = {255, 255, 255, 255}, dim = {186, 192, 200, 255}, accent = {255, 214, 90, 255};
 static const Color panel = {12, 14, 18, 196}, alarm = {112, 20, 24, 232};
 static const char *const names[FEED_COUNT] = {"mine", "reference", "truth"};
-static const double PATIENCE = 1; // seconds until the text says that a frame is late
+static const double PATIENCE = 1;                          // seconds until the text says that a frame is late
+enum { HELP_COLUMNS = 76 };                                // that its longest line needs
+static const float MOST_TEXT = 0.45F, MOST_PROBLEM = 0.6F; // of the window's area, of its height
+
+// How much is written: in a small window the least important goes first, so that the picture is seen.
+typedef enum Detail { NO_DETAIL, KEYS, TITLE, KNOB, VERDICT, KNOBS, STATE, TIMES, PIXEL, ALL_DETAIL } Detail;
 
 static const char *show_name(const ViewState *state) {
     static const char *const shows[2][SHOW_COUNT] = {
@@ -63,21 +68,29 @@ static void add_caption(const App *app, Lines *lines) {
     lines_add(lines, dim, line);
 }
 
-static void add_state(const App *app, Lines *lines) {
+static void add_shown(const App *app, Lines *lines) {
     char line[LINES_LENGTH] = "", what[LINES_LENGTH] = "";
-    check_append(line, sizeof line, "%s  %s", app->rubric.id, app_title(app));
-    lines_add(lines, white, line);
     view_state_text(&app->state, &app->rubric, what, sizeof what);
-    line[0] = '\0';
     check_append(line, sizeof line, "%s: %s", show_name(&app->state), what);
     if (app_recorded_shows(app))
         check_append(line, sizeof line, "  [recorded: check %s, %s]",
                      app->rubric.checks[app->recorded.check].task,
                      app->rubric.checks[app->recorded.check].name);
     lines_add(lines, dim, line);
-    add_caption(app, lines);
+}
+
+static void add_state(const App *app, Detail detail, Lines *lines) {
+    char title[LINES_LENGTH] = "";
+    check_append(title, sizeof title, "%s  %s", app->rubric.id, app_title(app));
+    if (detail >= TITLE)
+        lines_add(lines, white, title);
+    if (detail >= STATE) {
+        add_shown(app, lines);
+        add_caption(app, lines);
+    }
     for (int i = 0; i < app->table.knob_count; i++)
-        add_knob(app, i, lines);
+        if (detail >= KNOBS || (detail >= KNOB && i == app->state.selected))
+            add_knob(app, i, lines);
 }
 
 // "mine        12.3 ms  (shadow map 2.1, picture 10.2)": CPU times of the passes; the sum is without those
@@ -165,43 +178,69 @@ static void add_problems(const App *app, Lines *lines) {
     }
 }
 
+static int columns_of(const Text *text, int width) {
+    return (int)((float)width / text->advance) - 2;
+}
+
 static void put_help(Text *text, int width, int height) {
     static Lines lines;
     const char *keys, *meaning;
     char line[LINES_LENGTH];
     memset(&lines, 0, sizeof lines);
+    lines.columns = columns_of(text, width);
+    const int wide = lines.columns < HELP_COLUMNS ? 0 : 24;
     for (int row = 0; keys_help(row, &keys, &meaning); row++) {
-        snprintf(line, sizeof line, "%-24s%s", keys, meaning);
+        snprintf(line, sizeof line, "%-*s%s%s", wide, keys, wide ? "" : ": ", meaning);
         lines_add(&lines, row % 2 ? dim : white, line);
     }
+    lines_keep(&lines, (int)(((float)height - text->advance) / text->line), accent,
+               "... a larger window shows more");
     float x = ((float)width - (float)lines.longest * text->advance) / 2 - text->advance;
     lines_put(&lines, text, fmaxf(0, x), fmaxf(0, ((float)height - lines_height(&lines, text)) / 2),
               (Color){12, 14, 18, 240});
 }
 
-static int columns_of(const Text *text, int width) {
-    return (int)((float)width / text->advance) - 2;
+static void add_results(const App *app, Detail detail, const int cursor[2], Lines *lines) {
+    lines_add(lines, accent, process_now() < app->notice_until ? app->notice : "");
+    if (detail >= VERDICT) {
+        lines_add(lines, accent, app->news[FEED_MINE].warning);
+        lines_add(lines, accent, app->verdict);
+    }
+    add_difference(app, lines);
+    for (FeedKind kind = 0; kind < FEED_COUNT && detail >= TIMES; kind++)
+        add_times(app, kind, lines);
+    if (detail >= PIXEL)
+        add_pixel(app, cursor, lines);
+    if (detail >= KEYS)
+        lines_add(lines, dim, "F1 keys");
+}
+
+// The most detail that leaves enough of the picture.
+static void fill(const App *app, const Text *text, float most, const int cursor[2], Lines *top,
+                 Lines *bottom) {
+    for (Detail detail = ALL_DETAIL;; detail--) {
+        lines_clear(top);
+        lines_clear(bottom);
+        add_state(app, detail, top);
+        add_results(app, detail, cursor, bottom);
+        if (detail == NO_DETAIL || lines_area(top, text) + lines_area(bottom, text) <= most)
+            return;
+    }
 }
 
 void hud_put(Text *text, const App *app, int width, int height, const int cursor[2]) {
     static Lines top, bottom, problems;
+    const float across = (float)width, down = (float)height;
     memset(&top, 0, sizeof top);
     memset(&bottom, 0, sizeof bottom);
     memset(&problems, 0, sizeof problems);
     top.columns = bottom.columns = problems.columns = columns_of(text, width);
     add_problems(app, &problems);
-    if (app->state.text) {
-        add_state(app, &top);
-        lines_add(&bottom, accent, process_now() < app->notice_until ? app->notice : "");
-        lines_add(&bottom, accent, app->news[FEED_MINE].warning);
-        lines_add(&bottom, accent, app->verdict);
-        add_difference(app, &bottom);
-        for (FeedKind kind = 0; kind < FEED_COUNT; kind++)
-            add_times(app, kind, &bottom);
-        add_pixel(app, cursor, &bottom);
-        lines_add(&bottom, dim, "F1 keys");
-    }
-    float y = (float)height - lines_height(&bottom, text);
+    lines_keep(&problems, (int)(MOST_PROBLEM * down / text->line), accent,
+               "... all of it is in the terminal");
+    if (app->state.text)
+        fill(app, text, MOST_TEXT * across * down, cursor, &top, &bottom);
+    float y = down - lines_height(&bottom, text);
     lines_put(&problems, text, 0, fmaxf(0, y - lines_height(&problems, text)), alarm);
     lines_put(&bottom, text, 0, y, panel);
     lines_put(&top, text, 0, 0, panel);

@@ -41,12 +41,30 @@ float lines_height(const Lines *lines, const Text *text) {
     return lines->count ? (float)lines->count * text->line + text->advance : 0;
 }
 
-void lines_put(const Lines *lines, Text *text, float x, float y, Color truth_view) {
+float lines_area(const Lines *lines, const Text *text) {
+    return ((float)lines->longest + 2) * text->advance * lines_height(lines, text);
+}
+
+void lines_clear(Lines *lines) {
+    lines->count = 0;
+    lines->longest = 0;
+}
+
+void lines_keep(Lines *lines, int most, Color color, const char *instead) {
+    most = most > 1 ? most : 1;
+    if (lines->count <= most)
+        return;
+    lines->count = most - 1;
+    lines_add(lines, color, instead);
+    lines->count = lines->count < most ? lines->count : most;
+}
+
+void lines_put(const Lines *lines, Text *text, float x, float y, Color ground) {
     float margin = text->advance;
     if (lines->count == 0)
         return;
     text_box(text, x, y, (float)lines->longest * text->advance + 2 * margin, lines_height(lines, text),
-             truth_view);
+             ground);
     for (int i = 0; i < lines->count; i++)
         text_put(text, x + margin, y + margin / 2 + (float)i * text->line, lines->colors[i], lines->of[i]);
 }

@@ -21,5 +21,13 @@ void lines_add(Lines *lines, Color color, const char *text);
 // The height of all of them with their ground, pixels.
 float lines_height(const Lines *lines, const Text *text);
 
+// The area of their ground, pixels.
+float lines_area(const Lines *lines, const Text *text);
+
+void lines_clear(Lines *lines); // keeps the columns
+
+// Where there are more than `most` (at least 1), the last ones give way to `instead`.
+void lines_keep(Lines *lines, int most, Color color, const char *instead);
+
 // Puts them with the upper left corner of their ground at (x, y) pixels.
-void lines_put(const Lines *lines, Text *text, float x, float y, Color truth_view);
+void lines_put(const Lines *lines, Text *text, float x, float y, Color ground);

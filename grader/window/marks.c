@@ -27,12 +27,13 @@ static void put_split(Text *text, const App *app, const Place *place, int height
 }
 
 static void put_legend(Text *text, int width, int height) {
-    const float row = text->line, side = text->advance * 2;
+    const float row = text->line, side = text->advance * 2, wide = 15 * text->advance;
     int count = 0;
     while (counts_color(count))
         count++;
-    const float wide = 15 * text->advance, x = (float)width - wide,
-                y = fmaxf(0, ((float)height - row * (float)(count + 1)) / 2);
+    if (wide > (float)width / 3 || row * ((float)count + 1.5F) > (float)height) // it would hide the picture
+        return;
+    const float x = (float)width - wide, y = fmaxf(0, ((float)height - row * (float)(count + 1)) / 2);
     text_box(text, x, y, wide, row * ((float)count + 1.5F), ground);
     text_put(text, x + text->advance, y + row * 0.2F, bright, "volumes");
     for (int i = 0; i < count; i++) {

@@ -14,7 +14,8 @@
 #include <math.h>
 #include <string.h>
 
-static const float FONT_HEIGHT = 15; // at a scale of 1
+static const float FONT_HEIGHT = 15, LEAST_FONT = 0.75F;  // at a scale of 1; of it, in a small window
+static const float SMALL_WIDTH = 640, SMALL_HEIGHT = 480; // below, letters are smaller, at a scale of 1
 
 #define REMEDY                                                                                               \
     "A window needs a display (over ssh: ssh -X). Without one look at pictures: make grade LAB=NN "          \
@@ -77,11 +78,14 @@ bool window_measure(Window *window) {
     float x = 1, y = 1;
     glfwGetFramebufferSize(window->handle, &window->width, &window->height);
     glfwGetWindowContentScale(window->handle, &x, &y);
-    if (x == window->scale)
-        return true;
+    const float fits = fminf((float)window->width / SMALL_WIDTH, (float)window->height / SMALL_HEIGHT) / x,
+                letters = roundf(FONT_HEIGHT * x * fmaxf(LEAST_FONT, fminf(fits, 1)));
     window->scale = x;
+    if (letters == window->letters)
+        return true;
+    window->letters = letters;
     text_destroy(&window->text);
-    return text_create(&window->text, FONT_HEIGHT * x);
+    return text_create(&window->text, letters);
 }
 
 int window_pixel(const Window *window, int pixel) {

@@ -14,6 +14,7 @@ typedef struct Window {
     Guides guides;
     Text text;
     float scale;       // of the monitor's contents: 2 on a HiDPI one
+    float letters;     // their height, pixels
     int width, height; // pixels
     int before[4];     // place and size before full screen, window units
 } Window;

@@ -18,11 +18,12 @@ static struct {
 
 static bool create(const Frame *frame) {
     int width = frame->width, height = frame->height;
+    int most = (int)frame->knobs[KNOB_DUST] == DUST_FACES ? LAYERS : 0; // volumes: none without the faces
     return shadow_map_create(&state.map, (int)frame->knobs[KNOB_MAP_SIZE], GL_DEPTH_COMPONENT32F) &&
            target_create(&state.surfaces, width, height, GL_RGBA8, GL_DEPTH_COMPONENT32F) &&
-           layers_create(&state.layers, width, height) && grey_create(&state.dust, width, height) &&
-           grey_create(&state.distance, width, height) &&
-           target_create(&state.interval, width, height, GL_RGBA8, 0) && casters_create();
+           layers_create(&state.layers, width, height, most) && grey_create(&state.dust, width, height) &&
+           target_create(&state.distance, width, height, GL_RGBA8, 0) && (!most || casters_create()) &&
+           target_create(&state.interval, width, height, GL_RG32F, 0);
 }
 
 static void destroy(void) {

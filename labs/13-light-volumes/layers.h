@@ -19,11 +19,12 @@ static void layers_attach(const Layers *layers, int layer) {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, layers->texture, 0, layer);
 }
 
-static bool layers_create(Layers *layers, int width, int height) {
+// For so many casters at most. One more is there, so that it is a texture also for none.
+static bool layers_create(Layers *layers, int width, int height, int most) {
     *layers = (Layers){.width = width, .height = height};
     glGenTextures(1, &layers->texture);
     glBindTexture(GL_TEXTURE_2D_ARRAY, layers->texture);
-    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32F, width, height, LAYERS, 0, GL_RG, GL_FLOAT, NULL);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32F, width, height, most + 1, 0, GL_RG, GL_FLOAT, NULL);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glGenFramebuffers(1, &layers->framebuffer);

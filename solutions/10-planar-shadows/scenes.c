@@ -17,9 +17,9 @@ static Light *lamp_at(Scene *scene, vec3s position) {
 }
 
 // A sun that shines from there to a place beside the origin: its direction is a difference.
-static void sun_from(Scene *scene, Random *random, vec3s position) {
+static Light *sun_from(Scene *scene, Random *random, vec3s position) {
     vec3s aside = vec3_make(random_range(random, -1.5f, 1.5f), 0, random_range(random, -1.5f, 1.5f));
-    part_light(scene, LIGHT_DIRECTIONAL, glms_vec3_add(position, aside), aside);
+    return part_light(scene, LIGHT_DIRECTIONAL, glms_vec3_add(position, aside), aside);
 }
 
 // Tilts a receiver by degrees about x and z, around its middle, and lifts it.
@@ -57,17 +57,19 @@ static void make_own(Scene *scene, Random *random) {
 }
 
 // A sheet with this normal, which the camera sees well.
-static void add_sheet(Scene *scene, Random *random, vec3s middle, vec3s normal) {
+static Object *add_sheet(Scene *scene, Random *random, vec3s middle, vec3s normal) {
     float size = random_range(random, 0.5f, 0.8f);
     vec3s right = glms_vec3_normalize(glms_vec3_cross(vec3_make(0.2f, 1, 0.1f), normal));
-    mat4s *placed = &part_object(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), 0, part_color(random))
-                         ->world_from_object;
+    Object *sheet = part_object(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1), 0, part_color(random));
+    mat4s *placed = &sheet->world_from_object;
     placed->col[0] = glms_vec4(glms_vec3_scale(right, size), 0);
     placed->col[1] = glms_vec4(normal, 0);
     placed->col[2] = glms_vec4(glms_vec3_scale(glms_vec3_cross(right, normal), size), 0);
+    return sheet;
 }
 
-// Two sheets that the sun grazes, one from before and one from behind, on two sides of the middle.
+// Two sheets that the sun grazes, one from before and one from behind, on two sides of the middle. The sun is
+// so strong that even so little of its light is seen.
 static void make_grazing(Scene *scene, Random *random) {
     part_begin(scene, random);
     vec3s view = glms_vec3_normalize(scene->camera.eye);
@@ -81,12 +83,13 @@ static void make_grazing(Scene *scene, Random *random) {
     vec3s best = glms_vec3_normalize(glms_vec3_muladds(toward, -glms_vec3_dot(toward, view), view));
     vec3s aside = glms_vec3_add(glms_vec3_scale(across, cosf(turn)), glms_vec3_scale(up, sinf(turn)));
     for (int i = 0; i < 2; i++) {
-        float facing = random_range(random, 0.065f, 0.09f) * (i ? 1 : -1);
+        float facing = random_range(random, 0.006f, 0.01f) * (i ? 1 : -1);
         vec3s normal = glms_vec3_scale(best, sqrtf(1 - facing * facing));
         float away = random_range(random, 0.8f, 1.1f) * (i ? 1 : -1);
-        add_sheet(scene, random, glms_vec3_scale(aside, away), glms_vec3_muladds(toward, facing, normal));
+        add_sheet(scene, random, glms_vec3_scale(aside, away), glms_vec3_muladds(toward, facing, normal))
+            ->specular = 0;
     }
-    sun_from(scene, random, sun);
+    sun_from(scene, random, sun)->color = vec3_make(120, 120, 112);
 }
 
 // A sun straight above a level floor at any height.

@@ -124,7 +124,8 @@ static void make_wide(Scene *scene, Random *random) {
         random_range(random, 0.4f, 0.8f);
 }
 
-// The map holds less than the floor, on which light also falls beyond it.
+// The map holds less than the floor, on which light also falls beyond it: beside it, and behind its far
+// plane.
 static void make_mapped(Scene *scene, Random *random) {
     part_begin(scene, random);
     part_floor(scene, random_range(random, 2.6f, 3.2f), random);
@@ -133,6 +134,7 @@ static void make_mapped(Scene *scene, Random *random) {
     Light *light = light_above(scene, random, kind, random_int(random, 0, 1), random_range(random, 7, 9));
     light->half_size = random_range(random, 1.6f, 2.2f);
     light->fov_y = glm_rad(random_range(random, 24, 32));
+    light->far_plane = glms_vec3_distance(light->position, light->target) + random_range(random, 0.4f, 0.8f);
 }
 
 // Balls and boxes. A ball comes first, so that the faces' numbers do not begin with a chart.

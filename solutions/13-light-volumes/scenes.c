@@ -69,6 +69,12 @@ static void make_faint(Scene *scene, Random *random) {
     scene->medium.extinction = random_range(random, 3e-8f, 6e-8f);
 }
 
+// So little that one may think the way itself were the sum: over the longest ways it is not.
+static void make_weak(Scene *scene, Random *random) {
+    make_bare(scene, random);
+    scene->medium = (Medium){.scattering = 0.05f, .extinction = random_range(random, 0.004f, 0.005f)};
+}
+
 // Boxes and spheres that float in a row from left to right, as the camera sees it.
 static void float_casters(Scene *scene, Random *random, int count, float lowest, float highest) {
     for (int i = 0; i < count; i++) {
@@ -233,19 +239,12 @@ static void make_gate(Scene *scene, Random *random) {
 }
 
 const SceneMaker LAB_TABLE[] = {
-    {"dust bare", make_bare},
-    {"dust thin", make_thin},
-    {"dust casters", make_casters},
-    {"dust beyond spot", make_beyond_spot},
-    {"dust one", make_one},
-    {"dust beyond sun", make_beyond_sun},
-    {"dust cut", make_cut},
-    {"dust inside", make_inside},
-    {"dust apart", make_apart},
-    {"dust overlap", make_overlap},
-    {"dust gate", make_gate},
-    {"dust faint", make_faint},
-    {"dust before", make_before},
-    {"dust behind", make_behind},
-    {0},
+    {"dust bare", make_bare},       {"dust thin", make_thin},
+    {"dust casters", make_casters}, {"dust beyond spot", make_beyond_spot},
+    {"dust one", make_one},         {"dust beyond sun", make_beyond_sun},
+    {"dust cut", make_cut},         {"dust inside", make_inside},
+    {"dust apart", make_apart},     {"dust overlap", make_overlap},
+    {"dust gate", make_gate},       {"dust faint", make_faint},
+    {"dust weak", make_weak},       {"dust before", make_before},
+    {"dust behind", make_behind},   {0},
 };

@@ -1,11 +1,13 @@
-// What the watch shows of points: nothing looks whole that is not; and how far a sheet can be scrolled.
+// What the watch shows of points: nothing looks whole that is not; how far a sheet can be scrolled; colours.
 #include "watch/screens.h"
 
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -108,8 +110,42 @@ static void test_narrow(void **unused) {
     assert_int_equal(sheet.count, 1); // 17 letters of two bytes
 }
 
+// The luminance of a colour of the 6 x 6 x 6 cube, by WCAG 2.2.
+static double cube_luminance(int number) {
+    static const double weights[] = {0.0722, 0.7152, 0.2126}; // blue, green, red: the last digit first
+    double sum = 0;
+    number -= 16;
+    for (int i = 0; i < 3; i++, number /= 6) {
+        const double value = number % 6 ? (55 + 40 * (number % 6)) / 255.0 : 0;
+        sum += weights[i] * (value <= 0.04045 ? value / 12.92 : pow((value + 0.055) / 1.055, 2.4));
+    }
+    return sum;
+}
+
+// Colours are read on white and on black; a terminal of 16 colours gets none that is pale on either.
+static void test_colors(void **unused) {
+    (void)unused;
+    setenv("TERM", "xterm-256color", 1);
+    unsetenv("COLORTERM");
+    for (ColorUse use = COLOR_GOOD; use <= COLOR_NOTE; use++) {
+        int number = 0;
+        assert_int_equal(sscanf(color_begin(use), "\033[38;5;%dm", &number), 1);
+        assert_in_range(number, 16, 231);
+        assert_true(1.05 / (cube_luminance(number) + 0.05) >= 3.9);
+        assert_true((cube_luminance(number) + 0.05) / 0.05 >= 3.9);
+    }
+    setenv("TERM", "vt220", 1);
+    for (ColorUse use = COLOR_PLAIN; use <= COLOR_DIM; use++)
+        for (int pale = 3; pale <= 7; pale += 4) { // yellow and white
+            const char code[] = {'3', (char)('0' + pale), 'm', '\0'};
+            assert_null(strstr(color_begin(use), code));
+        }
+    assert_string_equal(color_begin(COLOR_PLAIN), "");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_points), cmocka_unit_test(test_scrolling),
-                                       cmocka_unit_test(test_marked), cmocka_unit_test(test_narrow)};
+                                       cmocka_unit_test(test_marked), cmocka_unit_test(test_narrow),
+                                       cmocka_unit_test(test_colors)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -87,6 +88,50 @@ static void test_either(void **unused) {
     expect(each, 1, "TODO(1.2)", TASK_TEXT_WRITTEN);
 }
 
+// The places around a TODO where people write while its mark stays, each in a function of two tasks with
+// words that were given between them.
+static void test_places(void **unused) {
+    (void)unused;
+    static const char handed_out[] = "float f(float x) {\n float y = x;\n // TODO(1.1): double y.\n"
+                                     " float z = y;\n // TODO(1.2): nothing below 0.\n return z;\n}\n";
+    static const TaskText NO = TASK_TEXT_HANDED_OUT, YES = TASK_TEXT_WRITTEN, MAYBE = TASK_TEXT_EITHER,
+                          NOBODY_KNOWS = TASK_TEXT_UNKNOWN;
+    const struct {
+        const char *body;
+        TaskText first, second;
+    } cases[] = {
+        {"float y = x; // TODO(1.1)\n float z = y; // TODO(1.2)\n return z;", NO, NO},
+        {"float y = x; // TODO(1.1)\n y *= 2.0; float z = y; // TODO(1.2)\n return z;", YES, NO},
+        {"float y = x; y *= 2.0; // TODO(1.1)\n float z = y; // TODO(1.2)\n return z;", YES, NO},
+        {"float y = x; // TODO(1.1)\n float z = y; // TODO(1.2)\n z = max(z, 0.0); return z;", NO, YES},
+        {"float y = x; // TODO(1.1)\n y *= 2.0; float z = y; // TODO(1.2)\n z = max(z, 0.0); return z;", YES,
+         YES},
+        {"float y = x; y *= 2.0; // TODO(1.1)\n float z = y; z = max(z, 0.0); // TODO(1.2)\n return z;", YES,
+         YES},
+        {"float y = x; y *= 2.0; // TODO(1.1)\n float z = y; // TODO(1.2)\n z = max(z, 0.0); return z;",
+         MAYBE, YES},
+        {"float y = x; // TODO(1.1)\n y *= 2.0; float z = y; z = max(z, 0.0); // TODO(1.2)\n return z;", YES,
+         MAYBE},
+        {"float y = x; y *= 2.0; float z = y; z = max(z, 0.0); // TODO(1.2)\n return z;", YES, MAYBE},
+        {"float y = x; y *= 2.0; float z = y; // TODO(1.2)\n return z;", YES, NO},
+        {"float y = x; // TODO(1.1)\n float z = y; return max(z, 0.0);", NOBODY_KNOWS, YES},
+        {"float y = x; y *= 2.0; // TODO(1.1)\n float z = y; z = max(z, 0.0); return z;", MAYBE, YES},
+        {"float y = x; /* TODO(1.1) */ y *= 2.0; float z = y; /* TODO(1.2) */ return z;", YES, NO},
+        {"// TODO(1.1)\n float y = 2.0 * x; float z = y; // TODO(1.2)\n return z;", YES, NO},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        static const char *const marks[] = {"TODO(1.1)", "TODO(1.2)"};
+        char text[300];
+        snprintf(text, sizeof text, "float f(float x) { %s\n}\n", cases[i].body);
+        for (int m = 0; m < 2; m++) {
+            const char *at = strstr(text, marks[m]);
+            const TaskText wanted = m ? cases[i].second : cases[i].first;
+            if (at && task_text_compare(text, at, marks[m], handed_out) != wanted)
+                fail_msg("%s in: %s", marks[m], cases[i].body);
+        }
+    }
+}
+
 // The answer of a TODO outside of functions is a function of its own.
 static void test_function_written(void **unused) {
     (void)unused;
@@ -116,6 +161,7 @@ int main(void) {
         cmocka_unit_test(test_untouched), cmocka_unit_test(test_below),
         cmocka_unit_test(test_above),     cmocka_unit_test(test_unknown),
         cmocka_unit_test(test_replaced),  cmocka_unit_test(test_put_before),
-        cmocka_unit_test(test_either),    cmocka_unit_test(test_function_written)};
+        cmocka_unit_test(test_either),    cmocka_unit_test(test_function_written),
+        cmocka_unit_test(test_places)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,12 +5,36 @@ source "$(dirname "$0")/../helpers/lib.sh"
 cd "$root" || exit 1
 
 SEEDS="1 2" grader/scripts/make_kit "$BUILD" 03 >"$work/log" 2>&1 && ok || bad "make_kit" "$(cat "$work/log")"
-tar -xzf "$BUILD/shadow-lab-kit.tar.gz" -C "$work" && kit=$work/shadow-lab
+unpack() { tar -xzf "$BUILD/shadow-lab-kit.tar.gz" -C "$work"; }
+unpack && kit=$work/shadow-lab
+run() { status=0; out=$("$@" 2>&1 </dev/null) || status=$?; }
+
+# It makes labs/ at the first command. Over an older kit it renews the handouts, and nothing that was written goes.
+[[ ! -e $kit/labs ]] && ok || bad "a kit that is unpacked over labs/ overwrites them"
+run "$kit/grader/scripts/lay_out"
+expect "labs/ is made" 0 "the labs are in labs/"
+diff -r -x '*.backup-*' labs "$kit/labs" >"$work/diff" && ok || bad "labs/ is the one of the project" "$(cat "$work/diff")"
+cp -r "$kit" "$work/older"
+echo '// mine' >>"$kit/labs/03-shadow-map/lab.c"
+echo 'my note' >>"$kit/labs/03-shadow-map/README.md"
+unpack && run "$kit/grader/scripts/lay_out"
+[[ $status == 0 && -z $out && $(tail -1 "$kit/labs/03-shadow-map/lab.c") == "// mine" ]] && ok || bad "the same kit again" "$out"
+echo '// newer' | tee -a "$kit"/grader/recorded/labs/0[34]-*/{lab.c,README.md} >/dev/null
+touch "$kit/grader/base/gone.c" && mkdir "$kit/build" && touch "$kit/build/worker"
+printf '%s\n' "grader/base/gone.c" "= older" | cat - "$kit/.kit/files" | LC_ALL=C sort -o "$kit/.kit/files"
+run "$kit/grader/scripts/lay_out"
+expect "a newer kit over an older one" 0 "what you wrote there stays: 1 files"
+tails() { for file in "$@"; do tail -1 "$kit/labs/$file"; done | paste -sd' '; }
+[[ $(tails 03-shadow-map/{lab.c,README.md,README.md.old} 04-acne-and-bias/lab.c) == "// mine // newer my note // newer" ]] && ok || bad "what is whose" "$(ls "$kit/labs/03-shadow-map")"
+[[ ! -e $kit/grader/base/gone.c && $kit/grader/base/files.c -nt $kit/build/worker && -z $(find "$kit/labs" -name '*.new') ]] && ok || bad "what an older kit had is gone, and all is built again"
+echo '= third' | LC_ALL=C sort -o "$kit/grader/recorded/kit" - "$kit/grader/recorded/kit" && chmod a-w "$kit"
+run make -C "$kit" --no-print-directory help
+[[ $status == 0 && $out == *"build everything"* ]] && ok || bad "help in a folder that nobody may write to" "$out"
+chmod u+w "$kit" && rm -r "$kit" && mv "$work/older" "$kit"
 
 # No answer.
 out=$(grader/tests/helpers/find_answers "$kit") && ok || bad "an answer is in the kit" "$out"
 [[ ! -e $kit/solutions && ! -e $kit/grader/tests && ! -e $kit/.git ]] && ok || bad "not for students" "$(ls -a "$kit" "$kit/grader")"
-diff -r -x '*.backup-*' labs "$kit/labs" >"$work/diff" && ok || bad "labs/ is the one of the project" "$(cat "$work/diff")"
 grep -q edits "$kit"/grader/recorded/03-*/*.json && bad "the kit tells how mistakes are made" || ok
 # The search finds what is there.
 finds() { # NAME PATTERN
@@ -66,7 +90,6 @@ grades --lab 03 --seed 1 --trusted "$half"
 expect "a frame that is missing" 3 "exam-1-02.png"
 
 # The watch, hints and reset.
-run() { status=0; out=$("$@" 2>&1 </dev/null) || status=$?; }
 run env SHADOW_LAB_PROGRESS="$work/progress" "$kit/build/watch" --lab 03 --seed 2
 expect "the watch" 1 "3.1"
 run "$kit/grader/scripts/hint" 3.2
@@ -128,6 +151,18 @@ expect "hand in" 0 "build/lab-03.tar.gz" "03-shadow-map/lab.c" "still to do: TOD
 printf '{\n  "labs": {\n    "03": {\n      "done": true\n    }\n  }\n}\n' >"$work/done"
 in_kit hand-in LAB=03 SHADOW_LAB_PROGRESS="$work/done"
 [[ $status == 0 && $out != *"still to do"* ]] && ok || bad "a lab that is done, with its TODOs" "$out"
+# Names that a browser, an editor or a link made are packed, as they are graded; what is missing is said.
+mv "$kit/labs/03-shadow-map/lab.c" "$work/elsewhere.c" && ln -s "$work/elsewhere.c" "$kit/labs/03-shadow-map/LAB (1).c"
+mv "$kit/labs/03-shadow-map/shadow.frag" "$kit/labs/03-shadow-map/shadow.frag.txt"
+in_kit hand-in LAB=03
+expect "hand in under other names" 0 "03-shadow-map/LAB (1).c" "03-shadow-map/shadow.frag.txt" "still to do: TODO(3.1)"
+tar -tvzf "$kit/build/lab-03.tar.gz" | grep -q '^l' && bad "a link is packed" || ok
+rm "$work/elsewhere.c" && touch "$kit/labs/03-shadow-map/labyrinth.c"
+in_kit hand-in LAB=03
+expect "a file is missing" 2 "missing: labs/03-shadow-map/lab.c; make reset"
+in_kit reset LAB=03
+in_kit hand-in LAB=03
+expect "after a reset" 0 "03-shadow-map/lab.c"
 in_kit -B build/grader/base/files.o BUILD=build
 [[ $status == 0 && $(wc -l <<<"$out") -le 2 && $out == *"building the programs"* ]] && ok || bad "the kit builds in silence" "$out"
 grade=$root/$BUILD/grade

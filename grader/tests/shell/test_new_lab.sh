@@ -54,7 +54,7 @@ fi
 runs env SEEDS=1 grader/scripts/make_kit build "$id"
 expect "the kit" 0 "shadow-lab-kit.tar.gz"
 tar -xzf build/shadow-lab-kit.tar.gz -C "$work"
-[[ -f $work/shadow-lab/labs/$lab/lab.c && -f $work/shadow-lab/grader/recorded/scenes/$lab/scenes.c ]] && ok || bad "the lab is in the kit" "$(ls "$work/shadow-lab/labs")"
+[[ -f $work/shadow-lab/grader/recorded/labs/$lab/lab.c && -f $work/shadow-lab/grader/recorded/scenes/$lab/scenes.c ]] && ok || bad "the lab is in the kit" "$(ls "$work/shadow-lab/grader/recorded/labs")"
 [[ -z $(find "$work/shadow-lab" -name 'rows*.c' -path '*recorded*' -o -name study.c -o -name witness.c -o -name new_lab) ]] && ok || bad "not for students"
 runs grader/tests/helpers/find_answers "$work/shadow-lab"
 grep -q "$lab\|were looked for" <<<"$out" && ! grep -q "$lab/" <<<"$out" && ok || bad "no answer is in the kit" "$out"

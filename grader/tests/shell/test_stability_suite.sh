@@ -43,7 +43,7 @@ absent='[r for r in rows if r["status"] == "not-built"]'
 page=$study/stability.html
 count() { grep -o "$1" "$page" | wc -l; }
 [[ $(count '<section id="row-') == "${#rows[@]}" ]] && ok || bad "the page has all rows"
-[[ $(count 'data:image/svg+xml;base64,') == $(json 'sum(r["figure"] is not None for r in rows)') ]] &&
+[[ $(count 'data:image/svg+xml;base64,') == $(json 'sum(len(r["figures"]) for r in rows)') ]] &&
     [[ $(count 'data:image/png;base64,') == $(json 'sum(len(r["frames"]) for r in rows)') ]] &&
     ok || bad "the page has all figures and frames"
 grep -qE '(src|href)="?https?:' "$page" && bad "the page needs the network" || ok
