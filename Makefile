@@ -23,9 +23,9 @@ ifeq ($(wildcard solutions),) # who has the kit wants to see what fails, and not
 $(if $(shell $(SCRIPTS)/lay_out >&2 || echo failed),$(error labs/ is not whole))
 endif
 
-# Where nothing was built and nothing can be, as on a read-only medium, gcc would only say so file by file.
+# Where nothing can be written, as on a read-only medium, gcc would only say so file by file.
 IS_WRITABLE := $(shell test -w "$$(test -e '$(BUILD)' && echo '$(BUILD)' || dirname '$(BUILD)')" && echo yes)
-BUILDS := $(if $(wildcard $(BUILD)/worker),,$(filter-out help hint,$(or $(MAKECMDGOALS),build)))
+BUILDS := $(filter-out help hint,$(or $(MAKECMDGOALS),build))
 $(if $(IS_WRITABLE),,$(if $(BUILDS),$(error nothing can be written to $(BUILD)/ here: copy this folder to a place of your own, and work there)))
 
 include grader/build.mk

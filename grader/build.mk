@@ -81,10 +81,10 @@ TABLE_rows := Row stability/row.h
 tables = $(foreach file,$(shell grep -l 'LAB_TABLE\[\]' $(call brought,$(1)) /dev/null),$(call lab_table,$(file)))
 $(BUILD)/tables/%.c: always
 	@mkdir -p $(@D)
-	@printf '%s\n' '#include "$(lastword $(TABLE_$*))"' \
+	@text=$$(printf '%s\n' '#include "$(lastword $(TABLE_$*))"' \
 		$(foreach table,$(call tables,$*),'extern const $(firstword $(TABLE_$*)) $(table)[];') \
-		'const $(firstword $(TABLE_$*)) *const $*_tables[] = {$(foreach table,$(call tables,$*),$(table), )NULL};' >$@.new
-	@if cmp -s $@.new $@; then rm $@.new; else mv $@.new $@; fi
+		'const $(firstword $(TABLE_$*)) *const $*_tables[] = {$(foreach table,$(call tables,$*),$(table), )NULL};'); \
+	if ! cmp -s - $@ <<<"$$text"; then echo "$$text" >$@.new && mv $@.new $@; fi
 $(BUILD)/tables/%.o: $(BUILD)/tables/%.c | $(BUILD)/include/glad/gl.h
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 always:
@@ -137,6 +137,6 @@ $(BUILD)/jail_unpack: $(call inside,unpack)
 
 %/node_modules/.package-lock.json: %/package.json
 	@command -v npm >/dev/null || { echo "npm is missing; it comes with: common/setup --check" >&2; exit 1; }
-	cd $* && npm install --no-package-lock --no-audit --no-fund --loglevel=error && touch node_modules/.package-lock.json
+	cd $* && npm install --no-package-lock --no-audit --no-fund --no-update-notifier --loglevel=error && touch node_modules/.package-lock.json
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

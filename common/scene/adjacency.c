@@ -68,11 +68,12 @@ static const Edge *find_only(const Edge *edges, int count, uint32_t from, uint32
 static void connect(Adjacency *adjacency, const uint32_t *corners, const Edge *edges, int count) {
     for (int i = 0; i < count; i++) {
         const uint32_t *triangle = corners + i - i % 3;
-        uint32_t from = triangle[i % 3], to = triangle[(i + 1) % 3];
+        const int first = i + i / 3; // triangles begin at their first, second or third corner, in turn
+        uint32_t from = triangle[first % 3], to = triangle[(first + 1) % 3];
         const Edge *neighbour = find_only(edges, count, to, from);
         bool closed = neighbour && find_only(edges, count, from, to);
         adjacency->indices[2 * i] = from;
-        adjacency->indices[2 * i + 1] = closed ? neighbour->far_corner : triangle[(i + 2) % 3];
+        adjacency->indices[2 * i + 1] = closed ? neighbour->far_corner : triangle[(first + 2) % 3];
         adjacency->open_edges += !closed;
     }
 }

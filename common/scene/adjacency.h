@@ -8,9 +8,10 @@
 #include <stdint.h>
 
 typedef struct Adjacency {
-    // Six a triangle, owned. Corners at 0, 2, 4, counter-clockwise; behind each corner the far corner of the
-    // triangle on the other side of the edge that begins there. They number the mesh's vertices, one for all
-    // that share a place.
+    // Six a triangle, owned. Corners at 0, 2, 4, counter-clockwise, of which any may be the first, as in a
+    // stranger's mesh: a volume must not depend on it. Behind each corner the far corner of the triangle on
+    // the other side of the edge that begins there. They number the mesh's vertices, one for all that share a
+    // place.
     uint32_t *indices;
     int index_count;
     int open_edges; // edges without exactly one neighbour: 0 for a closed mesh

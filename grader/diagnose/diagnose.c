@@ -101,17 +101,18 @@ static bool given_changed(const Fault *fault) {
     return true;
 }
 
-// Random numbers are given, so that no task holds them. When the tasks of the part with the fault are right,
-// and only the noise is another, the check tells whose task needs those numbers.
+// Only what was handed out has changed in the part with the fault, and its tasks are right.
+static bool fault_is_given(const Diagnosis *this) {
+    for (int i = 0; i < this->suspects.count; i++)
+        if (!result_task_passed(this->result, this->exam->rubric, this->suspects.tasks[i]))
+            return false;
+    return this->suspects.count > 0 && this->result->fault.count > 0 && given_changed(&this->result->fault);
+}
+
+// Random numbers are given, so that no task holds them. Where only the noise is another, the check tells
+// whose task needs those numbers.
 static void suspect_noise(Diagnosis *this) {
     const Rubric *rubric = this->exam->rubric;
-    if (!given_changed(&this->result->fault))
-        return;
-    for (int i = 0; i < this->suspects.count; i++)
-        if (!result_task_passed(this->result, rubric, this->suspects.tasks[i]))
-            return;
-    if (this->suspects.count == 0)
-        return;
     for (int c = 0; c < this->result->check_count; c++) {
         const CheckResult *check = &this->result->checks[c];
         const int own = rubric_task_index(rubric, check->check->task);
@@ -123,6 +124,17 @@ static void suspect_noise(Diagnosis *this) {
             return;
         }
     }
+}
+
+// Else the failed checks tell which task needs what has changed.
+static bool suspect_by_checks(Diagnosis *this) {
+    Known known = {0};
+    for (int c = 0; c < this->result->check_count; c++) {
+        const int own = rubric_task_index(this->exam->rubric, this->result->checks[c].check->task);
+        if (this->failed[c] && own >= 0)
+            known.among[own] = !this->open.open[own];
+    }
+    return find_suspects(this, &known);
 }
 
 static bool find_by_swap(Diagnosis *this, const WorkerClient *student) {
@@ -137,9 +149,9 @@ static bool find_by_swap(Diagnosis *this, const WorkerClient *student) {
         know_all(&known, this);
     if (!find_suspects(this, &known))
         return false;
-    if (known.placed)
+    if (fault_is_given(this))
         suspect_noise(this);
-    return true;
+    return !fault_is_given(this) || suspect_by_checks(this);
 }
 
 static bool find_by_reset(Diagnosis *this, const WorkerClient *student, ResetFound *found) {

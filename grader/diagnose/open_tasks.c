@@ -127,3 +127,10 @@ void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, cons
             tasks->open[t] = tasks->unsure[t] = false;
     check_clear();
 }
+
+void open_tasks_list(char *list, size_t size, const OpenTasks *tasks, const Rubric *rubric) {
+    list[0] = '\0';
+    for (int t = 0; t < rubric->hint_count; t++)
+        if (tasks->open[t])
+            check_append(list, size, "%s%s", list[0] ? " " : "", rubric->hints[t].task);
+}

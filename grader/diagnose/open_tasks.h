@@ -14,3 +14,6 @@ typedef struct OpenTasks {
 
 // Reads the rubric's files in `folder`; what cannot be read has no open tasks.
 void open_tasks_find(OpenTasks *tasks, const LabResult *result, Exam *exam, const char *folder);
+
+// The open ones as task_blocks.h takes them, "3.4 3.6"; "" for none.
+void open_tasks_list(char *list, size_t size, const OpenTasks *tasks, const Rubric *rubric);

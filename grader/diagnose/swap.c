@@ -1,7 +1,7 @@
 // Lists the parts that differ from ours, tries the likely first, keeps those with which failed checks pass.
 #include "diagnose/swap.h"
 
-#include "compile/tokens.h"
+#include "diagnose/part_helpers.h"
 #include "diagnose/part_tasks.h"
 #include "scene/check.h"
 
@@ -172,19 +172,6 @@ static Candidate *find_best(SwapSearch *search, int *passing) {
     return best;
 }
 
-// The student's own functions that the part calls, where the fault may be as well.
-static void list_helpers(FaultPart *part, const MixedFile *file, const Candidate *candidate) {
-    const Function *function =
-        functions_find(&file->theirs, candidate->called ? candidate->called : candidate->name);
-    for (int i = 0; function && i < file->theirs.count; i++) {
-        const char *name = file->theirs.list[i].name;
-        if (!functions_find(&file->ours, name) && &file->theirs.list[i] != function &&
-            !strstr(part->helpers, name) &&
-            tokens_mention(file->text + function->begin, function->end - function->begin, name))
-            check_append(part->helpers, sizeof part->helpers, "%s%s", part->helpers[0] ? ", " : "", name);
-    }
-}
-
 static void find_hunks(FaultPart *part, const MixedFile *file) {
     const Function *ours = functions_find(&file->ours, part->ours),
                    *theirs = functions_find(&file->theirs, part->function);
@@ -216,13 +203,48 @@ static void note_part(Fault *fault, const SwapSearch *search, const Candidate *c
         snprintf(part->function, sizeof part->function, "%s",
                  candidate->called ? candidate->called : candidate->name);
         snprintf(part->ours, sizeof part->ours, "%s", candidate->name);
-        list_helpers(part, file, candidate);
+        part_helpers_list(part, file);
         find_hunks(part, file);
         part->given = part_tasks_narrow(tasks, search->rubric, file, &part->hunks);
+        part_helpers_mark(tasks, search->rubric, file, part);
     }
     for (int t = 0; t < search->rubric->hint_count && count < FAULT_TASKS; t++)
         if (tasks[t])
             part->tasks[count++] = search->rubric->hints[t].task;
+}
+
+// Draws with these parts of the file as ours, but for one of them; -1: with all.
+static int try_parts(SwapSearch *search, const MixedFile *before, Candidate *const parts[], int count,
+                     int without) {
+    MixedFile *file = &search->lab.files[parts[0]->file];
+    *file = *before;
+    for (int i = 0; i < count; i++)
+        if (i != without)
+            choose(file, parts[i]);
+    return try_choice(search, parts[0]->file);
+}
+
+// Where no part of a file helps alone, several may together: all that differ, without those that are not
+// needed. False when they are too many, or the time is over before that is known.
+static bool choose_together(Fault *fault, SwapSearch *search, const Candidate *whole, int passing) {
+    const MixedFile before = search->lab.files[whole->file];
+    Candidate *parts[MAX_CANDIDATES];
+    int count = 0;
+    for (int i = 0; i < search->count; i++)
+        if (search->list[i].file == whole->file && search->list[i].kind != PART_FILE && !search->list[i].used)
+            parts[count++] = &search->list[i];
+    bool found = count > 1 && try_parts(search, &before, parts, count, -1) >= passing;
+    for (int i = count - 1; found && i >= 0; i--)
+        if (!is_over(search) && try_parts(search, &before, parts, count, i) >= passing)
+            parts[i] = parts[--count];
+    found = found && !search->stopped && count > 0 && count <= FAULT_PARTS - fault->count;
+    search->lab.files[whole->file] = before;
+    for (int i = 0; found && i < count; i++) {
+        parts[i]->used = true;
+        choose(&search->lab.files[whole->file], parts[i]);
+        note_part(fault, search, parts[i]);
+    }
+    return found;
 }
 
 static void search_parts(Fault *fault, SwapSearch *search) {
@@ -235,19 +257,13 @@ static void search_parts(Fault *fault, SwapSearch *search) {
         if (!best)
             break;
         best->used = true;
+        if (best->kind == PART_FILE && choose_together(fault, search, best, passing))
+            continue;
         choose(&search->lab.files[best->file], best);
         note_part(fault, search, best);
     }
     fault->repaired = passing;
     fault->stopped = search->stopped;
-}
-
-// The open tasks as task_blocks.h takes them: "3.4 3.6".
-static void list_open(char *list, size_t size, const OpenTasks *tasks, const Rubric *rubric) {
-    list[0] = '\0';
-    for (int t = 0; t < rubric->hint_count; t++)
-        if (tasks->open[t])
-            check_append(list, size, "%s%s", list[0] ? " " : "", rubric->hints[t].task);
 }
 
 bool swap_find(Fault *fault, const LabResult *result, Exam *exam, const WorkerClient *student,
@@ -256,7 +272,7 @@ bool swap_find(Fault *fault, const LabResult *result, Exam *exam, const WorkerCl
     char open[EXAM_MAX_TASKS * 8];
     *fault = (Fault){0};
     search = (SwapSearch){.rubric = exam->rubric, .began = process_now()};
-    list_open(open, sizeof open, tasks, exam->rubric);
+    open_tasks_list(open, sizeof open, tasks, exam->rubric);
     const Solved solved = open[0] ? (Solved){SOLVED_WITHOUT, open} : (Solved){SOLVED_ALL, NULL};
     const bool ok = mixed_lab_open(&search.lab, result, exam, student, &solved);
     for (int c = 0; c < result->check_count; c++) {

@@ -90,28 +90,23 @@ static void add_ratio(Ratios *ratios, float milliseconds, const Exam *exam, int 
         ratios->values[ratios->count++] = milliseconds / ours;
 }
 
-// Points of the optional checks that were left as they were.
-static double points_left(const LabResult *result, const Exam *exam) {
-    double points = 0;
-    for (int c = 0; c < result->check_count; c++) {
-        const CheckResult *check = &result->checks[c];
-        if (check->check->optional && !check->begun &&
-            result_touch(check, exam->variants[c]) != TOUCH_CHANGED)
-            points += check->check->points;
-    }
-    return points;
+// An optional check of a task that is as it was handed out.
+static bool is_left(const CheckResult *check, const Variant *variants) {
+    return check->check->optional && !check->begun && result_touch(check, variants) != TOUCH_CHANGED;
 }
 
-// Every check that is not optional, and the pass mark of what was touched. Predictions count points only: who
-// predicted wrong may have done the lab, and who predicted right has not done it yet.
+// Every check but those that are left, and the pass mark of what was touched. Predictions count points only:
+// who predicted wrong may have done the lab, and who predicted right has not done it yet.
 static bool passes(const LabResult *result, const Exam *exam) {
-    double score = 0;
+    double score = 0, most = rubric_check_points(exam->rubric);
     for (int c = 0; c < result->check_count; c++) {
-        score += result_points(&result->checks[c]);
-        if (!result->checks[c].passed && !result->checks[c].check->optional)
+        const CheckResult *check = &result->checks[c];
+        const bool left = is_left(check, exam->variants[c]);
+        if (!check->passed && !left)
             return false;
+        score += result_points(check);
+        most -= left ? check->check->points : 0;
     }
-    const double most = rubric_check_points(exam->rubric) - points_left(result, exam);
     return score >= exam->rubric->pass_mark / 100 * most;
 }
 

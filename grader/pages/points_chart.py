@@ -4,7 +4,7 @@ import csv
 import html
 import math
 
-WIDTH, HEIGHT, MARGIN = 640, 420, 60
+WIDTH, HEIGHT, MARGIN = 640, 430, 74
 LEAST = 1e-5  # errors below are drawn at it
 COLORS = ["#2a78d6", "#e2703a", "#3f9b5f", "#b0478f", "#8b6fc0", "#a07b2c", "#2f9aa0", "#c24b4b", "#6b7a89", "#4d59c4"]
 
@@ -67,7 +67,7 @@ def chart(points, families):
     times, errors = [float(p["ms"]) for p in points], [max(float(p["error"]), LEAST) for p in points]
     across, x_ticks = axis(times, MARGIN, WIDTH - 20)
     down, y_ticks = axis(errors, HEIGHT - MARGIN, 20)
-    parts = [f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="time against error" font-size="14" fill="currentColor">']
+    parts = [f'<svg viewBox="0 0 {WIDTH} {HEIGHT}" class="points" role="img" aria-label="time against error" font-size="14" fill="currentColor">']
     for tick in x_ticks:
         parts.append(f'<path d="M{across(tick):.1f} 20V{HEIGHT - MARGIN}" stroke="currentColor" opacity="0.15"/>'
                      f'<text x="{across(tick):.1f}" y="{HEIGHT - MARGIN + 18}" text-anchor="middle">{tick:g}</text>')

@@ -21,6 +21,9 @@ static const struct {
     {"planar table", 6,
      "the box under the table: the table hides it, and who flattens what lies under a receiver shows its "
      "shadow"},
+    {"planar grazing", 1,
+     "the sheet that the sun grazes from before: without the task it is lit, too, and a facing test with a "
+     "tolerance leaves it dark"},
     {"short sight", 3,
      "the box before the near plane: the solution does not show it, and who has another near plane does"},
 };

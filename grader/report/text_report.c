@@ -77,6 +77,24 @@ static void print_checks(const LabResult *lab, FILE *out, const Colors *colors) 
         fprintf(out, "  %sMore hints: make hint TASK=%s%s\n", colors->dim, task, colors->end);
 }
 
+static void print_prediction(const PredictionResult *result, int n, FILE *out, const Colors *colors) {
+    const char *color = result->right ? colors->good : result->typed[0] ? colors->bad : "";
+    fprintf(out, "  %s%s%s %6d/%-3d %-4c %s\n", color,
+            result->right      ? "ok  "
+            : result->typed[0] ? "FAIL"
+                               : "open",
+            color[0] ? colors->end : "", result->right ? result->points : 0, result->points, 'a' + n,
+            result->right ? result->typed : "");
+    print_lines(out, "         ", result->why, colors);
+}
+
+static bool any_typed(const Predictions *predictions) {
+    for (int n = 0; n < predictions->count; n++)
+        if (predictions->results[n].typed[0])
+            return true;
+    return false;
+}
+
 // The numbers that were predicted; none while there is no sheet to judge them by.
 static void print_predictions(const Predictions *predictions, FILE *out, const Colors *colors) {
     if (predictions->count == 0)
@@ -85,13 +103,10 @@ static void print_predictions(const Predictions *predictions, FILE *out, const C
             predictions_points(predictions), predictions_max_points(predictions), colors->end);
     if (predictions->message[0])
         print_lines(out, "         ", predictions->message, colors);
-    for (int n = 0; predictions->sheet && n < predictions->count; n++) {
-        const PredictionResult *result = &predictions->results[n];
-        fprintf(out, "  %s%s%s %6d/%-3d %-4c %s\n", result->right ? colors->good : colors->bad,
-                result->right ? "ok  " : "FAIL", colors->end, result->right ? result->points : 0,
-                result->points, 'a' + n, result->right ? result->typed : "");
-        print_lines(out, "         ", result->why, colors);
-    }
+    if (predictions->sheet && !any_typed(predictions))
+        print_lines(out, "         ", "nothing is typed yet into predictions.txt", colors);
+    for (int n = 0; any_typed(predictions) && predictions->sheet && n < predictions->count; n++)
+        print_prediction(&predictions->results[n], n, out, colors);
 }
 
 static void print_bar(double share, FILE *out) {

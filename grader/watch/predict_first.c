@@ -1,8 +1,11 @@
 #include "watch/predict_first.h"
 
+#include "base/files.h"
 #include "predict/prediction_sheet.h"
 #include "scene/check.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static bool draw(const LabBoard *board, int lab, bool *drawn) {
@@ -22,31 +25,43 @@ void predict_first_draw(const LabBoard *board, int lab) {
     check_clear();
 }
 
-bool predict_first_print(const LabBoard *board) {
+// "labs/03-shadow-map/predictions.txt", from the folder of the labs on.
+static void name_file(char name[FILES_PATH], const LabBoard *board) {
     char folder[FILES_PATH];
+    lab_board_lab_folder(board, board->current, folder);
+    const char *above = strrchr(board->folder, '/') ? strrchr(board->folder, '/') + 1 : board->folder;
+    snprintf(name, FILES_PATH, "%.100s/%.100s/" PREDICTION_FILE, above, strrchr(folder, '/') + 1);
+}
+
+bool predict_first_print(const LabBoard *board) {
+    char folder[FILES_PATH], path[FILES_PATH], name[FILES_PATH];
     bool drawn;
     lab_board_lab_folder(board, board->current, folder);
     if (!draw(board, board->current, &drawn)) {
         fprintf(stderr, "watch: %s\n", check_message());
         return false;
     }
-    printf("%s/" PREDICTION_FILE " %s\n", folder,
+    files_join(path, folder, PREDICTION_FILE);
+    name_file(name, board);
+    printf("%s %s\n\n", name,
            drawn ? "holds your questions: type each number in place of its ?"
-                 : "has its questions, or numbers, already; it stays as it is");
+                 : "has its questions already and stays as it is:");
+    char *text = files_read(path, PREDICTION_MAX_FILE);
+    if (text)
+        fputs(text, stdout);
+    free(text);
     return true;
 }
 
 void predict_first_show(Sheet *sheet, const LabBoard *board) {
     const Predictions *predictions = &board->verdict.predictions;
-    char folder[FILES_PATH];
+    char name[FILES_PATH];
     if (predictions->count == 0)
         return;
-    lab_board_lab_folder(board, board->current, folder);
-    const char *above = strrchr(board->folder, '/') ? strrchr(board->folder, '/') + 1 : board->folder;
+    name_file(name, board);
     const int most = predictions_max_points(predictions);
     if (predictions_open(predictions))
-        sheet_wrapped(sheet, STYLE_NOTE, 2, "Predict first: %.100s/%.100s/" PREDICTION_FILE " (%d points)",
-                      above, strrchr(folder, '/') + 1, most);
+        sheet_wrapped(sheet, STYLE_NOTE, 2, "Predict first: %s (%d points)", name, most);
     else
         sheet_wrapped(sheet, STYLE_PLAIN, 2, "Predictions: %d of %d points", predictions_points(predictions),
                       most);

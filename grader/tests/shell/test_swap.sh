@@ -62,6 +62,20 @@ sed -i 's/    emit(at_infinity(c));/    emit(here(c));/' "$folder/volume.geom"
 sed -i 's/    glEnable(GL_STENCIL_TEST);//' "$folder/lab.c"
 grades --trusted --lab 07 --seed 1 "$folder"
 expect "two faults" 1 "\`emit_caps\` (volume.geom)" "\`draw_volumes\` (lab.c)"
+# Two functions of one file, of which neither helps alone: not the whole file.
+folder=$(resolve together 04)
+sed -i 's/        glCullFace(GL_FRONT);/        UNUSED(method);/; s/    frame_bind(frame);/&\n    if (frame->knobs[KNOB_METHOD] == METHOD_FRONT_FACES)\n        glCullFace(GL_FRONT);/' \
+    "$folder/lab.c"
+grades --trusted --lab 04 --seed 1 "$folder"
+expect "two functions together" 1 "there are faults in \`draw_map\` (lab.c) and in \`draw_picture\` (lab.c), task 4.4"
+
+# A function of the student's own stands for ours that she has not got, with its tasks.
+folder=$(resolve helper 03)
+sed -i 's/float visibility(vec3 position_world) {/float light_at(vec4 position_light_clip) {/; /vec4 position_light_clip = u_light/d
+    /position_light_clip.w <= 0.0/,+1d; s/= visibility(v_position_world)/= light_at(u_light_clip_from_world * vec4(v_position_world, 1.0))/' \
+    "$folder/shadow.frag"
+grades --trusted --lab 03 --seed 1 "$folder"
+expect "the task of a helper" 1 "\`main\` (shadow.frag) or in what it calls (light_at), task 3.7"
 "$BUILD/skeletons" "$work/upto" 3.5 >/dev/null
 grades --lab 03 --seed 1 "$work/upto"
 expect "an open task is no fault" 1 "=> task 3.6 is next: it is not done"
