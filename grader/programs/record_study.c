@@ -5,6 +5,7 @@
 #include "base/places.h"
 #include "base/statistics.h"
 #include "exam/exam.h"
+#include "exam/handed_out.h"
 #include "points/recorded_scene.h"
 #include "points/recorded_study.h"
 #include "scene/check.h"
@@ -32,10 +33,23 @@ typedef struct Recorder {
     bool has_truth;
 } Recorder;
 
+// Does what the edit replaces stand in the lab as it is handed out? Else it would tell the answer of a task.
+static bool stands_handed_out(const Rubric *rubric, const Edit *edit) {
+    bool stands = false;
+    for (int i = 0; i < rubric->file_count; i++) {
+        char *text = strcmp(rubric->files[i], edit->file) == 0 ? handed_out_text(rubric, i) : NULL;
+        stands = stands || (text && strstr(text, edit->find));
+        free(text);
+    }
+    check_clear();
+    return stands;
+}
+
 // What a student's lab can do too: no rays of ours, and no more than a choice that a shader fixes.
-static bool is_wanted(const Method *method, const char *lab) {
-    return strcmp(method->lab, lab) == 0 && !method->rays &&
-           (!method->change || method->change->edit_count == 1);
+static bool is_wanted(const Method *method, const Rubric *rubric) {
+    const Change *change = method->change;
+    return strcmp(method->lab, rubric->id) == 0 && !method->rays &&
+           (!change || (change->edit_count == 1 && stands_handed_out(rubric, &change->edits[0])));
 }
 
 static bool time_frames(Recorder *recorder, const Painter *painter, const Setting *setting, double *median) {
@@ -99,12 +113,13 @@ static bool time_yardstick(Recorder *recorder, double *milliseconds) {
 }
 
 // Pixels of one object alone are those of all methods of a scene, or the truth's mask would not be one.
-static bool record_methods(Recorder *recorder, const MethodList *list, const char *lab, json_t *points) {
+static bool record_methods(Recorder *recorder, const MethodList *list, json_t *points) {
     int object = 0;
     bool ok = true;
     for (int i = 0; ok && i < list->count; i++) {
         const Method *method = &list->methods[i];
-        if (!is_wanted(method, lab) || (json_array_size(points) > 0 && method->setting.object != object))
+        if (!is_wanted(method, &recorder->artist.rubric) ||
+            (json_array_size(points) > 0 && method->setting.object != object))
             continue;
         object = method->setting.object;
         ok = record_method(recorder, method, points);
@@ -112,7 +127,7 @@ static bool record_methods(Recorder *recorder, const MethodList *list, const cha
     return ok;
 }
 
-static bool record_scene(Recorder *recorder, const StudyScene *scene, const char *lab, json_t *scenes) {
+static bool record_scene(Recorder *recorder, const StudyScene *scene, json_t *scenes) {
     static MethodList list;
     StudyScene still = *scene;
     double yardstick = 0;
@@ -123,7 +138,7 @@ static bool record_scene(Recorder *recorder, const StudyScene *scene, const char
     study_add_methods(&list, scene);
     bool ok = view_create(&recorder->view, &still, 0, (MetricsSize){WIDTH, HEIGHT}, recorder->folder,
                           &recorder->artist) &&
-              record_methods(recorder, &list, lab, points) && time_yardstick(recorder, &yardstick);
+              record_methods(recorder, &list, points) && time_yardstick(recorder, &yardstick);
     view_destroy(&recorder->view);
     if (ok && json_array_size(points) > 0)
         json_array_append_new(scenes, json_pack("{s:s, s:s, s:f, s:O}", "name", scene->name, "title",
@@ -132,11 +147,11 @@ static bool record_scene(Recorder *recorder, const StudyScene *scene, const char
     return ok;
 }
 
-static bool concerns(const StudyScene *scene, const char *lab) {
+static bool concerns(const StudyScene *scene, const Rubric *rubric) {
     static MethodList list;
     study_add_methods(&list, scene);
     for (int i = 0; i < list.count; i++)
-        if (is_wanted(&list.methods[i], lab))
+        if (is_wanted(&list.methods[i], rubric))
             return true;
     return false;
 }
@@ -160,8 +175,8 @@ static bool record_lab(const RecordStudy *command) {
     ok = ok && files_make_folder(recorder.folder) &&
          lab_artist_open_measured(&recorder.artist, command->lab, CONTEXT_ANY);
     for (int i = 0; ok && study_scene(i); i++)
-        if (concerns(study_scene(i), command->lab))
-            ok = record_scene(&recorder, study_scene(i), command->lab, scenes);
+        if (concerns(study_scene(i), &recorder.artist.rubric))
+            ok = record_scene(&recorder, study_scene(i), scenes);
     if (ok && json_array_size(scenes) > 0)
         ok = write_study(&recorder, scenes);
     lab_artist_close(&recorder.artist);
