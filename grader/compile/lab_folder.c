@@ -150,7 +150,7 @@ static bool is_same_file(const char *folder, const char *earlier, const char *na
     return same;
 }
 
-static bool is_of_c(const char *name) {
+bool lab_folder_is_c(const char *name) {
     const char *dot = strrchr(name, '.');
     return dot && (strcmp(dot, ".c") == 0 || strcmp(dot, ".h") == 0);
 }
@@ -159,7 +159,7 @@ static bool is_of_c(const char *name) {
 static bool take_library(const char *folder, const char *earlier, const Rubric *rubric) {
     char path[FILES_PATH], old_path[FILES_PATH];
     for (int i = 0; i < rubric->file_count; i++)
-        if (is_of_c(rubric->files[i]) && !is_same_file(folder, earlier, rubric->files[i]))
+        if (lab_folder_is_c(rubric->files[i]) && !is_same_file(folder, earlier, rubric->files[i]))
             return false;
     files_join(path, folder, "lab.so");
     files_join(old_path, earlier, "lab.so");

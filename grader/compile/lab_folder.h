@@ -37,3 +37,6 @@ bool lab_folder_mixed(const char *folder, const char *earlier, const Rubric *rub
 char *lab_folder_source(const Rubric *rubric, int i, Solved solved);
 
 enum { DERIVE_MAX_FILE = 1 << 18 };
+
+// Is a file of this name one that goes into lab.so, and no shader?
+bool lab_folder_is_c(const char *name);

@@ -2,6 +2,7 @@
 // be at fault, a known mistake, and last what the pictures show. grader/diagnose/README.md gives the reasons.
 #include "diagnose/diagnose.h"
 
+#include "compile/lab_folder.h"
 #include "diagnose/describe.h"
 #include "diagnose/reset.h"
 #include "diagnose/swap.h"
@@ -262,6 +263,15 @@ static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch
     return true;
 }
 
+// Nothing is kept from one frame to the next in a shader: with ours in the place of the student's, all was
+// right in later frames, too.
+static bool lies_in_shaders(const Fault *fault) {
+    bool shaders = !fault->reset && fault->count > 0 && fault->repaired == fault->failed;
+    for (int i = 0; i < fault->count; i++)
+        shaders = shaders && !lab_folder_is_c(fault->parts[i].file);
+    return shaders;
+}
+
 bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, FaultSearch search) {
     static Diagnosis this;
     this = (Diagnosis){.result = result, .exam = exam, .named = {.first = -1, .second = -1}};
@@ -275,7 +285,7 @@ bool diagnose(LabResult *result, Exam *exam, const WorkerClient *student, FaultS
     }
     if (!find_fault(&this, student, search))
         return false;
-    if (search != FAULT_BY_PICTURES)
+    if (search != FAULT_BY_PICTURES && !lies_in_shaders(&result->fault))
         result->first_only = first_frame_find(result, exam, this.failed, student);
     name_faults(&this);
     return true;

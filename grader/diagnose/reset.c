@@ -2,6 +2,7 @@
 // draws right can have the fault, and the tasks that are done in them.
 #include "diagnose/reset.h"
 
+#include "compile/lab_folder.h"
 #include "diagnose/mixed_lab.h"
 #include "exam/exam_reset.h"
 #include "exam/frame_score.h"
@@ -87,10 +88,6 @@ static int weigh(const ResetSearch *search, int p) {
     return weight;
 }
 
-static bool is_of_c(const char *name) {
-    return strchr(name, '.')[2] == '\0';
-}
-
 // A part that is as it was handed out already: the submission's own pictures are its.
 static void try_untouched(ResetSearch *search) {
     for (int c = 0; c < search->lab.result->check_count; c++) {
@@ -116,8 +113,8 @@ static void try_part(ResetSearch *search, int p) {
         file->choice.names[file->choice.count++] = part->function;
     else
         file->choice.outside = true;
-    search->spent +=
-        (is_of_c(file->name) ? COST_OF_C : COST_OF_SHADERS) + COST_OF_FRAME * search->lab.failed_count;
+    search->spent += (lab_folder_is_c(file->name) ? COST_OF_C : COST_OF_SHADERS) +
+                     COST_OF_FRAME * search->lab.failed_count;
     if (!mixed_lab_draw(&search->lab, note_check, search))
         search->trials[p].tried = false;
     *file = before;
