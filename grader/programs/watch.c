@@ -81,12 +81,19 @@ static void ask(Watch *watch) {
     check_clear();
 }
 
+static void begin_changes(Watch *watch, int lab) {
+    char folder[FILES_PATH];
+    lab_board_lab_folder(&watch->board, lab, folder);
+    file_watch_begin(&watch->changes[lab], folder, "");
+}
+
 static void turn_to(Watch *watch, int lab) {
     lab_board_turn_to(&watch->board, lab);
     watch->listing = false;
     watch->top = 0;
     watch->entered = watch->dirty = true;
     predict_first_draw(&watch->board, lab);
+    begin_changes(watch, lab); // the questions that were just drawn are no save of a student
 }
 
 // Grades the current lab when it was saved or just chosen. Another lab that is saved becomes the current
@@ -193,11 +200,8 @@ static void draw(Watch *watch) {
 }
 
 static void watch_terminal(Watch *watch) {
-    for (int lab = 0; lab < watch->board.lab_count; lab++) {
-        char folder[FILES_PATH];
-        lab_board_lab_folder(&watch->board, lab, folder);
-        file_watch_begin(&watch->changes[lab], folder, "");
-    }
+    for (int lab = 0; lab < watch->board.lab_count; lab++)
+        begin_changes(watch, lab);
     turn_to(watch, watch->board.current);
     while (!watch->end) {
         look(watch);
