@@ -1,7 +1,8 @@
 // Scenes of silhouettes: casters that are closed or open, convex or not, and an eye in their shadows.
 #include "scene/scene_parts.h"
 
-enum { STRAIGHT_ABOVE = 5 };
+// One lamp of six stands straight above, and every second sun: then the light goes along what is upright.
+enum { LAMP_ABOVE = 5, SUN_ABOVE = 1 };
 
 static vec3s jitter(Random *random, float most) {
     float x = random_range(random, -most, most), y = random_range(random, -most, most);
@@ -12,7 +13,7 @@ static vec3s jitter(Random *random, float most) {
 static void add_light(Scene *scene, Random *random, LightKind kind) {
     float camera = glm_deg(atan2f(scene->camera.eye.x, scene->camera.eye.z));
     float side = random_int(random, 0, 1) ? 1 : -1, elevation = random_range(random, 35, 65);
-    bool above = random_int(random, 0, STRAIGHT_ABOVE) == 0;
+    bool above = random_int(random, 0, kind == LIGHT_DIRECTIONAL ? SUN_ABOVE : LAMP_ABOVE) == 0;
     vec3s place = part_orbit(vec3_make(0, 0, 0), camera + side * random_range(random, 35, 80), elevation,
                              random_range(random, 6, 9));
     place = above ? vec3_make(0, place.y, 0) : place;
