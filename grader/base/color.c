@@ -1,5 +1,7 @@
 #include "base/color.h"
 
+#include "scene/count.h"
+
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -18,7 +20,7 @@ bool color_has_many(void) {
     static const char *const known[] = {"256color", "direct", "kitty", "alacritty", "foot", "ghostty"};
     const char *terminal = getenv("TERM"), *more = getenv("COLORTERM");
     bool many = more && more[0];
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    for (size_t i = 0; i < COUNT(known); i++)
         many = many || (terminal && strstr(terminal, known[i]));
     return many;
 }

@@ -3,6 +3,7 @@
 #include "class/class.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 #include "class/run_log.h"
 #include "exam/handed_out.h"
 #include "jail/self_test.h"
@@ -135,7 +136,7 @@ static bool choose(const Class *class, int *jobs, int *count) {
 static bool make_folders(const char *output) {
     static const char *const folders[] = {"results/", "pages/", "rounds/"};
     char path[FILES_PATH];
-    for (int i = 0; i < 3; i++) {
+    for (size_t i = 0; i < COUNT(folders); i++) {
         files_join(path, output, folders[i]);
         if (!files_make_folder(path))
             return false;

@@ -105,3 +105,8 @@ int hand_in_compare(const HandInName *a, const HandInName *b) {
         return strlen(a->attempt) > strlen(b->attempt) ? 1 : -1;
     return strcmp(a->attempt, b->attempt);
 }
+
+bool hand_in_same_student(const char *id, const char *student, const char *other_id,
+                          const char *other_student) {
+    return id[0] ? strcmp(id, other_id) == 0 : !other_id[0] && strcmp(student, other_student) == 0;
+}

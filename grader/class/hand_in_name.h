@@ -16,6 +16,10 @@ typedef struct HandInName {
     time_t time; // when it was handed in; 0: the name does not tell
 } HandInName;
 
+// Is it one student, by the id where there is one ("": none), else by the name?
+bool hand_in_same_student(const char *id, const char *student, const char *other_id,
+                          const char *other_student);
+
 // The forms, tried in this order: Moodle "Full Name_ID_assignsubmission_file_", Blackboard
 // "..._LOGIN_attempt_DATE_file", Canvas "lastfirst_LATE_ID_FILEID_file", Gradescope "submission_ID",
 // Brightspace "NUMBER-NUMBER - Full Name - date"; else the name itself, without the ending of an archive and

@@ -85,8 +85,7 @@ static void cut_prefix(Reading *reading) {
 
 static bool same_student(const HandIn *a, const HandIn *b) {
     return a->loose == b->loose &&
-           (a->told.id[0] ? strcmp(a->told.id, b->told.id) == 0
-                          : !b->told.id[0] && strcmp(a->told.student, b->told.student) == 0);
+           hand_in_same_student(a->told.id, a->told.student, b->told.id, b->told.student);
 }
 
 static bool is_newer(const HandIn *a, const HandIn *b) {

@@ -3,6 +3,7 @@
 
 #include "base/siphash.h"
 #include "class/hand_in_facts.h"
+#include "class/hand_in_name.h"
 #include "scene/check.h"
 
 #include <stdio.h>
@@ -82,7 +83,7 @@ static int find(const Rounds *rounds, uint64_t mark) {
 }
 
 static bool same_student(const RosterEntry *a, const RosterEntry *b) {
-    return a->id[0] ? strcmp(a->id, b->id) == 0 : !b->id[0] && strcmp(a->student, b->student) == 0;
+    return hand_in_same_student(a->id, a->student, b->id, b->student);
 }
 
 static MarkList look(const Rounds *rounds) {

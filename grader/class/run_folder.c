@@ -1,6 +1,7 @@
 #include "class/run_folder.h"
 
 #include "scene/check.h"
+#include "scene/count.h"
 #include "base/files.h"
 
 #include <errno.h>
@@ -27,7 +28,7 @@ static void remove_linked(const char *link) {
 static void sweep(const char *output) {
     static const char *const folders[] = {".", "results", "pages", "rounds"};
     char path[FILES_PATH];
-    for (int i = 0; i < 4; i++) {
+    for (size_t i = 0; i < COUNT(folders); i++) {
         files_join(path, output, folders[i]);
         files_forget_new(path);
     }
