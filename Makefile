@@ -1,6 +1,9 @@
 # Shadow Lab: what people call. README.md tells how to use it; `make help` lists the targets; grader/build.mk holds the rules.
 MAKEFLAGS += --no-builtin-rules
-SHELL := /bin/bash
+# As many jobs as there are processors, where nobody says how many.
+MAKEFLAGS += $(if $(filter 0,$(MAKELEVEL)),-j$(or $(shell nproc 2>/dev/null),2))
+# One language for all tools, and no warning of a shell where that of the terminal is not installed.
+SHELL := /usr/bin/env LC_ALL=C.UTF-8 bash
 BUILD ?= build
 LAB ?=
 SUBMISSION ?= labs
@@ -17,10 +20,18 @@ TEACHERS := $(if $(wildcard solutions),,$(shell sed -nE 's/^([a-z_.-]+):.*### .*
 ABSENT := $(filter $(TEACHERS),$(MAKECMDGOALS))
 $(if $(ABSENT),$(error make $(ABSENT) is not in this kit; make help lists what is))
 
-ifeq ($(wildcard solutions),) # who has the kit wants to see what fails, and not hundreds of commands
+# The marks of what can be started are lost in a .zip or on a disk of Windows; a disk may forbid all of it.
+CAN_START := $(shell test -x $(SCRIPTS)/lay_out || { chmod +x common/setup $(SCRIPTS)/* grader/compile/given; test -x $(SCRIPTS)/lay_out; } && echo yes)
+$(if $(CAN_START),,$(error no program can be started from this disk: copy this folder to a place of your own, and work there))
+
+V ?=
+ifeq ($(V),) # one wants to see what fails, and not hundreds of commands; make V=1 shows them
 .SILENT:
+endif
+
+ifeq ($(wildcard solutions),)
 # It brings no labs/, which would lie over what was solved in an older one.
-$(if $(shell $(SCRIPTS)/lay_out >&2 || echo failed),$(error labs/ is not whole))
+$(if $(shell $(SCRIPTS)/lay_out >&2 || echo failed),$(error this kit cannot be used as it is))
 endif
 
 # Where nothing can be written, as on a read-only medium, gcc would only say so file by file.
@@ -67,11 +78,11 @@ showcase: build ## all pictures that your labs draw, points and mistakes met, on
 reset: $(filter $(BUILD)/skeletons,$(PROGRAMS)) ## put a lab of labs/ back to the skeleton: make reset LAB=03
 	@$(SCRIPTS)/reset $(LAB_OPERAND)
 
-hand-in: ## pack what you hand in: make hand-in [LAB=03]
+hand-in: $(filter $(BUILD)/skeletons,$(PROGRAMS)) ## pack what you hand in, of all labs that you began: make hand-in [LAB=03]
 	@$(SCRIPTS)/hand_in $(LAB_OPERAND)
 
-site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: build/site/index.html (needs common/setup --check)
-	@command -v cmark-gfm >/dev/null || { echo "cmark-gfm is missing; it comes with: common/setup --check" >&2; exit 1; }
+site: grader/site/node_modules/.package-lock.json ## the handouts as web pages: build/site/index.html (needs common/setup --more)
+	@command -v cmark-gfm >/dev/null || { echo "cmark-gfm is missing; it comes with: common/setup --more" >&2; exit 1; }
 	@node grader/site/build.mjs $(BUILD)/site
 
 skeletons: build ### make labs/ from solutions/
@@ -146,7 +157,12 @@ clean: ## remove what was built
 	rm -rf $(BUILD)
 
 help: ## list the targets
-	@grep -hE '^[a-z_.-]+:.* ##$(if $(wildcard solutions),#?) ' Makefile | sed -E 's/^([a-z_.-]+):.*## /\1\t/' | expand -t 24
+	@grep -hE '^[a-z_.-]+:.* ##$(if $(wildcard solutions),#?) ' Makefile | sed -E 's/^([a-z_.-]+):.*## /\1 /' | awk '{ \
+		line = sprintf("%-13s", $$1); full = length($$0) > 66; \
+		for (i = 2; i <= NF; i++) { \
+			if (length(line $$i) > 78 || full && $$i == "make" && $$(i - 1) ~ /:$$/) { print line; line = sprintf("%13s", "") } \
+			line = line " " $$i } \
+		print line }'
 
 # No file is made under these names.
 .PHONY: $(filter-out compile_commands.json,$(shell grep -oE '^[a-z-]+:' Makefile | tr -d :)) compile_commands.json

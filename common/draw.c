@@ -48,6 +48,10 @@ mat4s frame_clip_from_world(const Frame *frame) {
     return glms_mat4_mul(camera_clip_from_view(camera, aspect), camera_view_from_world(camera));
 }
 
+// Stands where the scene has no more lights: who asks it sees it, and the same in each frame.
+static const Light no_light = {
+    .kind = LIGHT_DIRECTIONAL, .position = {{0.6f, 0.7f, 0.4f}}, .color = {{2, 0, 2}}};
+
 static void set_light(const Program *program, const Light *light, int i) {
     char name[64];
     snprintf(name, sizeof name, "u_lights[%d].position_world", i);
@@ -68,8 +72,8 @@ void draw_begin(const Frame *frame, const Program *program, mat4s clip_from_worl
     glUniform3fv(program_find(program, "u_ambient_light"), 1, scene->ambient.raw);
     glUniform1i(program_find(program, "u_flat_light"), frame->flat_light);
     glUniform1i(program_find(program, "u_light_count"), scene->light_count);
-    for (int i = 0; i < scene->light_count; i++)
-        set_light(program, &scene->lights[i], i);
+    for (int i = 0; i < SCENE_MAX_LIGHTS; i++)
+        set_light(program, i < scene->light_count ? &scene->lights[i] : &no_light, i);
 }
 
 void draw_object(const Frame *frame, const Program *program, int i) {

@@ -16,7 +16,7 @@ static bool report_compile_error(GLuint shader, const ShaderSource *source) {
     char log[LOG_BYTES] = "", mapped[LOG_BYTES + 400];
     glGetShaderInfoLog(shader, sizeof log, NULL, log);
     shader_source_map_log(source, log, mapped, sizeof mapped);
-    return check_fail("%s does not compile:\n%sThe compiler's own words:\n%s", source->files[0], mapped, log);
+    return check_fail("%s does not compile:\n%s", source->files[0], mapped);
 }
 
 static bool attach(GLuint program, GLenum stage, const char *name) {

@@ -44,16 +44,23 @@ WITNESSES := $(foreach file,$(call brought,witness),$(call witness,$(file)))
 # Shims that are weakened on purpose, and other programs of the tests.
 WEAK := $(patsubst %,$(BUILD)/weak_%,files filter limit)
 
+# In a terminal one line counts the objects of all rooms that are not there yet. An error is written over it.
+COUNTED := $(filter-out $(BUILD)/tables/% $(wildcard $(ROOM_OBJECTS) $(COMMON)),$(ROOM_OBJECTS) $(COMMON))
+COUNTER := $(if $(V)$(filter dumb,$(TERM)),,$(if $(word 20,$(COUNTED)),$(shell test -t 2 && echo yes)))
+count = $(if $(COUNTER),$(if $(filter $(1),$(COUNTED)),$(eval BEGUN += x)@printf $(COUNT_FORMAT) $(words $(BEGUN)) $(words $(COUNTED)) >&2))
+COUNT_FORMAT = 'building the programs, once: %d of %d files\$(if $(word $(words $(COUNTED)),$(BEGUN)),n,r)'
+
 programs: $(BUILD)/worker $(BUILD)/worker_address $(INSIDE) $(PROGRAMS)
 tests: $(TESTS) $(WITNESSES) hostile-programs
 hostile-programs: $(BUILD)/hostile $(BUILD)/without $(WEAK)
 .PHONY: programs tests hostile-programs always
-.SECONDARY:
+# Not of all files: what a package that was installed later brings would count as intermediate, and would not be built.
+.SECONDARY: $(patsubst %,$(BUILD)/tables/%.c,$(BRINGS))
 
 EGL_EXTENSIONS := EGL_MESA_platform_surfaceless,EGL_KHR_no_config_context,EGL_EXT_platform_base,EGL_EXT_platform_device
 EGL_EXTENSIONS := $(EGL_EXTENSIONS),EGL_EXT_device_base,EGL_EXT_device_enumeration
 $(BUILD)/include/glad/gl.h: grader/build.mk # which says what of EGL is asked for
-	@echo "building the programs: this takes a minute or two, once"
+	$(if $(COUNTER),,@echo "building the programs: this takes a minute or two, once")
 	glad --quiet --reproducible --out-path $(BUILD)/glad --api gl:core=4.1 --extensions '' c --debug
 	glad --quiet --reproducible --out-path $(BUILD)/glad --api egl=1.5 \
 		--extensions $(EGL_EXTENSIONS) c --loader
@@ -65,8 +72,10 @@ $(BUILD)/include/given.h.gch: $(wildcard common/*.h common/scene/*.h) common/lab
 	$(CC) @common/lab.flags -Icommon -Icommon/scene -isystem $(BUILD)/include -o $@ $(@:.gch=)
 	printf '#define LAB_WITHOUT_EARLIER\n#include "lab.h"\n#define GIVEN_NOT_PRECOMPILED\n' >$(@:.gch=)
 $(BUILD)/glad/%.o: $(BUILD)/include/glad/gl.h
+	$(call count,$@)
 	$(CC) -O1 -w -I$(BUILD)/include -c -o $@ $(BUILD)/glad/src/$*.c
 $(BUILD)/%.o: %.c | $(BUILD)/include/glad/gl.h
+	$(call count,$@)
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) -c -o $@ $<
 $(call objects,grader/window/*.c grader/programs/view.c): ALL_CFLAGS += $(shell pkg-config --cflags glfw3) -pthread
@@ -136,7 +145,9 @@ $(BUILD)/jail_unpack: $(call inside,unpack)
 	$(CC) -o $@ $^ -larchive
 
 %/node_modules/.package-lock.json: %/package.json
-	@command -v npm >/dev/null || { echo "npm is missing; it comes with: common/setup --check" >&2; exit 1; }
-	cd $* && npm install --no-package-lock --no-audit --no-fund --no-update-notifier --loglevel=error && touch node_modules/.package-lock.json
+	@command -v npm >/dev/null || { echo "npm is missing; it comes with: common/setup --more" >&2; exit 1; }
+	cd $* && npm install --no-package-lock --no-audit --no-fund --no-update-notifier --loglevel=error 2>npm.log || \
+		{ grep -m3 . npm.log; echo "npm could not fetch its packages: the network is needed for them, once"; exit 1; } >&2
+	rm -f $*/npm.log && touch $*/node_modules/.package-lock.json
 
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -104,10 +104,12 @@ static bool append_file(ShaderSource *source, const char *name, int depth) {
     int file = source->file_count++;
     snprintf(source->files[file], SHADER_MAX_NAME, "%s", name);
     char *text = read_shader(name);
+    const bool marked = text && strncmp(text, "\xef\xbb\xbf", 3) == 0; // as some editors begin a file, unseen
+    const char *begin = marked ? text + 3 : text;
     bool ok = text && (file == 0 || append_line_mark(source, 1, file));
-    if (ok && file == 0 && strncmp(text, "#version 410 core", 17) != 0)
+    if (ok && file == 0 && strncmp(begin, "#version 410 core", 17) != 0)
         ok = check_fail("%s:1: the first line must be: #version 410 core", name);
-    ok = ok && append_lines(source, text, file, depth);
+    ok = ok && append_lines(source, begin, file, depth);
     free(text);
     return ok;
 }

@@ -36,16 +36,20 @@ static int sequence(const unsigned char *bytes, uint32_t *code) {
     return valid ? length : 0;
 }
 
+static bool is_among(uint32_t code, const uint32_t (*ranges)[2], size_t count) {
+    for (size_t i = 0; i < count; i++)
+        if (code >= ranges[i][0] && code <= ranges[i][1])
+            return true;
+    return false;
+}
+
 // Can a person see the character, where it stands?
 static bool is_printable(uint32_t code) {
     static const uint32_t hidden[][2] = {{0, 0x1f},        {0x7f, 0x9f},     {0xad, 0xad},
                                          {0x61c, 0x61c},   {0x180e, 0x180e}, {0x200b, 0x200f},
                                          {0x2028, 0x202e}, {0x2060, 0x206f}, {0xfeff, 0xfeff},
                                          {0xfff9, 0xfffb}, {0xfffe, 0xffff}, {0xe0000, 0x10ffff}};
-    for (size_t i = 0; i < COUNT(hidden); i++)
-        if (code >= hidden[i][0] && code <= hidden[i][1])
-            return false;
-    return true;
+    return !is_among(code, hidden, COUNT(hidden));
 }
 
 char *printable_name(const char *bytes) {
@@ -109,4 +113,36 @@ size_t printable_utf8(const char *text) {
     for (int length = 1; *at && length > 0; at += length)
         length = sequence((const unsigned char *)at, &code);
     return (size_t)(at - text);
+}
+
+// After Unicode's EastAsianWidth.txt and the marks (Mn) of the scripts that names are written in.
+static int columns_of(uint32_t code) {
+    static const uint32_t none[][2] = {{0x300, 0x36f},   {0x483, 0x489},   {0x591, 0x5bd},   {0x610, 0x61a},
+                                       {0x64b, 0x65f},   {0x200b, 0x200f}, {0x20d0, 0x20f0}, {0xfe00, 0xfe0f},
+                                       {0xfe20, 0xfe2f}, {0xfeff, 0xfeff}};
+    static const uint32_t two[][2] = {
+        {0x1100, 0x115f},   {0x231a, 0x231b},   {0x2e80, 0x303e},  {0x3041, 0xa4cf}, {0xac00, 0xd7a3},
+        {0xf900, 0xfaff},   {0xfe30, 0xfe6f},   {0xff01, 0xff60},  {0xffe0, 0xffe6}, {0x1f300, 0x1f64f},
+        {0x1f680, 0x1f6ff}, {0x1f900, 0x1f9ff}, {0x20000, 0x3fffd}};
+    return is_among(code, none, COUNT(none)) ? 0 : is_among(code, two, COUNT(two)) ? 2 : 1;
+}
+
+size_t printable_clip(const char *text, int columns) {
+    const char *at = text;
+    while (*at) {
+        uint32_t code;
+        int length = sequence((const unsigned char *)at, &code);
+        columns -= length > 0 ? columns_of(code) : 1; // what is no UTF-8 shows as a sign of its own
+        if (columns < 0)
+            break;
+        at += length > 0 ? length : 1;
+    }
+    return (size_t)(at - text);
+}
+
+int printable_columns(const char *text) {
+    int columns = 0;
+    while (text[printable_clip(text, columns)])
+        columns++;
+    return columns;
 }

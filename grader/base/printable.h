@@ -19,3 +19,10 @@ void printable_file_name(char file[ESCAPE_FILE_NAME], const char *bytes);
 
 // How many bytes of the text are UTF-8, as RFC 3629 has it, before the first that are not.
 size_t printable_utf8(const char *text);
+
+// How many columns the text takes in a terminal: letters of East Asia and pictures take two, marks upon
+// letters none.
+int printable_columns(const char *text);
+
+// How many bytes of the text take at most this many columns.
+size_t printable_clip(const char *text, int columns);

@@ -163,7 +163,11 @@ static bool find_by_reset(Diagnosis *this, const WorkerClient *student, ResetFou
         any = any || found->known.among[t];
     if (!any && !found->any)
         know_all(&found->known, this);
-    return find_suspects(this, &found->known);
+    const bool ok = find_suspects(this, &found->known), none = found->any && this->suspects.count == 0;
+    for (int t = 0; ok && none && t < this->exam->rubric->hint_count; t++) // what is done does too much
+        if (found->known.among[t])
+            suspects_add(&this->suspects, t);
+    return ok;
 }
 
 static void name_failed(Diagnosis *this, const char *mistake, const char *hint) {
@@ -230,7 +234,8 @@ static bool find_mistake(Diagnosis *this, const ResetFound *found) {
     return catalogue_find(&this->named, this->result, this->exam, this->failed, found);
 }
 
-// The mistake's name says which task it is; the parts are then those of that task.
+// The mistake's name says which task it is; the parts are then those of that task. Where many causes draw
+// what the mistake draws, its task is one more.
 static void narrow_to_named(Diagnosis *this) {
     const Rubric *rubric = this->exam->rubric;
     const int named[2] = {this->named.first, this->named.second};
@@ -243,6 +248,8 @@ static void narrow_to_named(Diagnosis *this) {
     }
     if (narrow.count > 0)
         this->suspects = narrow;
+    else if (named[0] >= 0 && rubric->mistakes[named[0]].task)
+        suspects_add(&this->suspects, rubric_task_index(rubric, rubric->mistakes[named[0]].task));
 }
 
 static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch search) {
@@ -257,6 +264,7 @@ static bool find_fault(Diagnosis *this, const WorkerClient *student, FaultSearch
         return false;
     if (this->named.many) // each of them is as likely, and nobody has compared the words
         this->named = (Named){.first = -1, .second = -1};
+    find_no_effect(this);
     if (!found.both)
         narrow_to_named(this);
     reset_note(&this->result->fault, &found, &this->suspects, this->exam->parts);

@@ -94,6 +94,14 @@ static void insert(Suspects *suspects, Evidence *sorted, int t, const Evidence *
     sorted[i] = *evidence;
 }
 
+void suspects_add(Suspects *suspects, int task) {
+    for (int i = 0; i < suspects->count; i++)
+        if (suspects->tasks[i] == task)
+            return;
+    if (task >= 0)
+        suspects->tasks[suspects->count++] = task;
+}
+
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
                    const Known *known) {
     Evidence sorted[EXAM_MAX_TASKS] = {0}, evidence;

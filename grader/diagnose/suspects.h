@@ -26,3 +26,6 @@ typedef struct Known {
 // for it. False with a message when ours cannot draw.
 bool suspects_find(Suspects *suspects, const LabResult *result, Exam *exam, const bool failed[],
                    const Known *known);
+
+// One more task, the last, unless it is there; -1: none.
+void suspects_add(Suspects *suspects, int task);

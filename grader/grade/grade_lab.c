@@ -155,6 +155,12 @@ static bool is_to_blame(const LabResult *result, LabExam *examiner, Exam *exam, 
            control_draws(examiner, exam, student);
 }
 
+// The driver's words name the shader's file and line: nothing is left to be found.
+static bool is_uncompiled(const LabResult *result) {
+    return result->score <= predictions_points(&result->predictions) &&
+           strstr(result->message, " does not compile:\n");
+}
+
 static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
                     const GradeOptions *options) {
     if (!student->started)
@@ -174,6 +180,8 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
     } else if (!hidden_rehearse(result, student, exam->rubric)) {
         return false;
     }
+    if (is_uncompiled(result))
+        return true;
     if (options->early && !result_done(result))
         options->early(result, options->early_context);
     return diagnose(result, exam, student, options->no_swap ? FAULT_BY_RESET : FAULT_BY_SWAP) &&

@@ -1,6 +1,6 @@
 // scene_table: what each lab's scenes are made of, and how much the graded views need it; prints a table
 // (Markdown, for grader/proof/SCENES.md). With --power: what each object is worth to the verdicts, with
-// --changes also to the mutation test.
+// --changes also to the mutation test, with --together when several go at once.
 #include "scene/check.h"
 #include "compile/rubric_file.h"
 #include "proof/object_worth.h"
@@ -20,7 +20,7 @@ enum { SEEDS = 4 };
 typedef struct SceneTable {
     WorkerClient worker; // draws all labs
     char lab[3];         // "": all
-    bool power, changes, broken;
+    bool power, together, changes, broken;
     ObjectWorth needless[OBJECT_WORTH_MOST]; // of one lab: what no known mistake needs
     int needless_count;
 } SceneTable;
@@ -81,35 +81,63 @@ static bool print_worths(SceneTable *table, const char *id) {
     return ok;
 }
 
-// Over all seeds at most, until one needs it.
-static bool look_for_power(SceneTable *table, const char *id, const Rubric *rubric, Painters *painters,
-                           const char *scene, Exam *exams[SEEDS]) {
+// Over all seeds at most, until one needs one of the things; `why` says the seed, too.
+static bool ask_seeds(Exam *exams[SEEDS], const char *scene, PowerThings things, char why[POWER_TEXT]) {
     bool ok = true;
-    for (int thing = 0; ok && thing < ECONOMY_THINGS; thing++) {
-        char why[POWER_TEXT] = "";
-        bool is_there = false;
-        for (int seed = 0; ok && seed < SEEDS && !why[0]; seed++) {
-            if (!exams[seed]) {
-                exams[seed] = calloc(1, sizeof *exams[seed]);
-                ok = exams[seed] && exam_create(exams[seed], rubric, painters, (uint64_t)seed + 1);
-            }
-            is_there = is_there || (ok && scene_power_has(exams[seed], scene, thing));
-            ok = ok && (!is_there || scene_power_find(exams[seed], scene, thing, why));
-            if (!is_there)
-                break;
-        }
-        if (ok && is_there)
-            tell_thing(table, id, scene, thing, why);
+    why[0] = '\0';
+    for (int seed = 0; ok && seed < SEEDS && !why[0]; seed++) {
+        ok = scene_power_find(exams[seed], scene, things, why);
+        if (why[0])
+            snprintf(why + strlen(why), POWER_TEXT - strlen(why), ", seed %d", seed + 1);
     }
     return ok;
+}
+
+// Which of the things may all go at once? One after the other goes, and comes back when something is decided
+// otherwise without it.
+static bool look_together(const char *id, Exam *exams[SEEDS], const char *scene, PowerThings things) {
+    PowerThings gone = 0;
+    bool ok = true;
+    for (int thing = ECONOMY_THINGS - 1; ok && thing >= 0; thing--) {
+        const PowerThings one = (PowerThings)1 << thing;
+        char why[POWER_TEXT] = "", name[80];
+        if (!(things & one))
+            continue;
+        ok = ask_seeds(exams, scene, gone | one, why);
+        snprintf(name, sizeof name, "%s, %d others gone", scene, __builtin_popcount(gone));
+        if (ok)
+            print_thing(id, name, thing, why);
+        gone |= why[0] ? 0 : one;
+    }
+    return ok;
+}
+
+static bool look_for_power(SceneTable *table, const char *id, const char *scene, Exam *exams[SEEDS]) {
+    PowerThings needless = 0;
+    bool ok = true;
+    for (int thing = 0; ok && thing < ECONOMY_THINGS; thing++) {
+        char why[POWER_TEXT];
+        if (!scene_power_has(exams[0], scene, thing))
+            continue;
+        ok = ask_seeds(exams, scene, (PowerThings)1 << thing, why);
+        if (ok && table->together)
+            needless |= why[0] || scene_needs_excuse(scene, thing) ? 0 : (PowerThings)1 << thing;
+        else if (ok)
+            tell_thing(table, id, scene, thing, why);
+    }
+    return ok && look_together(id, exams, scene, needless);
 }
 
 static bool print_power(SceneTable *table, const char *id, const Rubric *rubric) {
     Painters painters = {.rubric = rubric, .client = table->worker};
     Exam *exams[SEEDS] = {0};
     bool ok = true;
+    for (int seed = 0; ok && seed < SEEDS; seed++) {
+        exams[seed] = calloc(1, sizeof *exams[seed]);
+        ok = exams[seed] && exam_create(exams[seed], rubric, &painters, (uint64_t)seed + 1);
+    }
     for (int i = 0; ok && scene_name(i); i++)
-        ok = look_for_power(table, id, rubric, &painters, scene_name(i), exams);
+        ok = look_for_power(table, id, scene_name(i), exams);
     for (int seed = 0; seed < SEEDS; seed++) {
         if (exams[seed])
             exam_destroy(exams[seed]);
@@ -142,6 +170,8 @@ static const Option options[] = {
     {"power", 0, NULL,
      "what each object of each scene is worth: the check that would let a mistake pass without it",
      offsetof(SceneTable, power), option_flag},
+    {"together", 0, NULL, "with --power: which of those that no verdict needs may all go at once",
+     offsetof(SceneTable, together), option_flag},
     {"changes", 0, NULL,
      "with --power: of what no known mistake needs, which small change of the solution would pass (minutes)",
      offsetof(SceneTable, changes), option_flag},
@@ -150,7 +180,9 @@ static const Option options[] = {
 static bool check(void *settings, const Operands *operands) {
     const SceneTable *table = settings;
     (void)operands;
-    return table->power || !table->changes || check_fail("--changes belongs to --power");
+    return (table->power || (!table->changes && !table->together) ||
+            check_fail("--changes and --together belong to --power")) &&
+           (!table->changes || !table->together || check_fail("ask --changes and --together one at a time"));
 }
 
 static const CommandLine command_line = {

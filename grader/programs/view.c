@@ -94,6 +94,8 @@ static void on_key(GLFWwindow *window, int key, int code, int action, int modifi
     case WISH_NOTHING:
         break;
     }
+    if (view.app.state.help > window_help_pages(&view.window))
+        view.app.state.help = 0;
 }
 
 static bool is_at_split(double x) {

@@ -31,19 +31,29 @@ static bool draw(Painters *painters, const Change *mistake, const Request *reque
     return painter && painters_draw(painters, painter, request, image, &reply);
 }
 
+// True when the scene had one of them. The last goes first: those behind it move up.
+static bool take_away(Scene *scene, PowerThings things) {
+    bool had = false;
+    for (int thing = ECONOMY_THINGS - 1; thing >= 0; thing--)
+        if (things >> thing & 1 && scene_needs_has(scene, thing)) {
+            scene_needs_take_away(scene, thing);
+            had = true;
+        }
+    return had;
+}
+
 // `why` is told when one of them would be refused.
-static bool draw_lacking(Lacking *lacking, const Exam *exam, int c, const char *scene, int thing,
+static bool draw_lacking(Lacking *lacking, const Exam *exam, int c, const char *scene, PowerThings things,
                          char why[POWER_TEXT]) {
     const Check *check = &exam->rubric->checks[c];
     bool ok = true;
     for (int n = 0; ok && !why[0] && n < check->variants; n++) {
         const Variant *whole = &exam->variants[c][n];
+        lacking->variants[n] = (Variant){.scene = whole->scene, .request = whole->request};
         lacking->is_one[n] =
-            strcmp(whole->scene, scene) == 0 && scene_needs_has(&whole->request.scene, thing);
+            strcmp(whole->scene, scene) == 0 && take_away(&lacking->variants[n].request.scene, things);
         if (!lacking->is_one[n])
             continue;
-        lacking->variants[n] = (Variant){.scene = whole->scene, .request = whole->request};
-        scene_needs_take_away(&lacking->variants[n].request.scene, thing);
         ok = absence_draw_variant(&lacking->variants[n], exam->painters, check->task);
         if (ok && !exam_acceptable(&lacking->variants[n], 0))
             snprintf(why, POWER_TEXT, "check \"%s\" would not be asked", check->name);
@@ -94,7 +104,7 @@ static void destroy(Lacking *lacking) {
     }
 }
 
-bool scene_power_find(Exam *exam, const char *scene, int thing, char why[POWER_TEXT]) {
+bool scene_power_find(Exam *exam, const char *scene, PowerThings things, char why[POWER_TEXT]) {
     static Lacking lacking;
     bool ok = true;
     INVARIANT(exam->painters);
@@ -103,7 +113,7 @@ bool scene_power_find(Exam *exam, const char *scene, int thing, char why[POWER_T
         if (!rubric_uses_scene(&exam->rubric->checks[c], scene))
             continue;
         lacking = (Lacking){0};
-        ok = draw_lacking(&lacking, exam, c, scene, thing, why) &&
+        ok = draw_lacking(&lacking, exam, c, scene, things, why) &&
              (why[0] || try_mistakes(&lacking, exam, c, why));
         destroy(&lacking);
     }

@@ -9,13 +9,16 @@
 #include "exam/exam.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 
 // Does a variant of this scene in the exam have it (scene_needs_has)?
 bool scene_power_has(const Exam *exam, const char *scene, int thing);
 
 enum { POWER_TEXT = 300 };
 
-// Is this object, or behind SCENE_MAX_OBJECTS this light, of the scene needed in the exam? `why` gets the
-// first check that says so, and what happens; "" when none does. False with a message when ours cannot be
-// drawn.
-bool scene_power_find(Exam *exam, const char *scene, int thing, char why[POWER_TEXT]);
+// Objects of a scene, and behind SCENE_MAX_OBJECTS lights: bit n is thing n.
+typedef uint32_t PowerThings;
+
+// Is one of these things needed in the exam, when all of them are taken away together? `why` gets the first
+// check that says so, and what happens; "" when none does. False with a message when ours cannot be drawn.
+bool scene_power_find(Exam *exam, const char *scene, PowerThings things, char why[POWER_TEXT]);

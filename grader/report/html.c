@@ -72,10 +72,11 @@ static void write_predictions(Page *page, const LabResult *lab) {
     char label[40];
     if (predictions->count == 0)
         return;
-    fprintf(page->out, "<h3>Predictions</h3>\n<p>" PAGE_POINTS "%d of %d points. " PAGE_POINTS_END,
-            predictions_points(predictions), predictions_max_points(predictions));
+    fprintf(page->out, "<h3>Predictions</h3>\n<p>" PAGE_POINTS "%d of %d points%s" PAGE_POINTS_END,
+            predictions_points(predictions), predictions_max_points(predictions),
+            predictions->message[0] ? ": " : "");
     page_prose(page, predictions->message);
-    fputs(" <span class=\"quiet\">A lab passes without them.</span></p>\n", page->out);
+    fputs(" <span class=\"quiet\">(A lab passes without them.)</span></p>\n", page->out);
     if (!predictions->sheet)
         return;
     snprintf(label, sizeof label, "Predictions of lab %s", lab->id);
@@ -153,6 +154,8 @@ static void write_lab(Page *page, const LabResult *lab) {
         fputs("</strong></p>\n", page->out);
     }
     write_words(page, "Message", lab->message);
+    if (lab->missing) // nothing was checked
+        return;
     write_checks(page, lab);
     write_predictions(page, lab);
     write_words(page, "Notes", lab->warnings);

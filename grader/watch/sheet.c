@@ -1,6 +1,8 @@
 // Adds lines, wraps them at words, and prints them within the columns and rows there are.
 #include "watch/sheet.h"
 
+#include "base/printable.h"
+
 #include <stdarg.h>
 #include <string.h>
 
@@ -34,19 +36,10 @@ void sheet_marked(Sheet *sheet, Style mark_style, const char *mark, const char *
     va_end(arguments);
 }
 
-// Bytes of the first `width` characters of a UTF-8 text.
-static int clip(const char *text, int width) {
-    int at = 0;
-    for (int seen = 0; text[at]; at++)
-        if ((text[at] & 0xc0) != 0x80 && ++seen > width)
-            break;
-    return at;
-}
-
 // How many bytes of `text` (without its line's end) go on a line of `width` characters: up to the last space
 // that fits, or, with none, `width`.
 static int break_at(const char *text, int width) {
-    const int length = (int)strcspn(text, "\n"), fitting = clip(text, width);
+    const int length = (int)strcspn(text, "\n"), fitting = (int)printable_clip(text, width);
     if (length <= fitting)
         return length;
     int at = fitting;
@@ -55,12 +48,23 @@ static int break_at(const char *text, int width) {
     return at > 0 ? at : fitting;
 }
 
+// An item of a list goes on below its words, and not below its dash.
+static int hang(const char *text) {
+    return strncmp(text, "- ", 2) == 0 ? 2 : 0;
+}
+
 void sheet_text(Sheet *sheet, Style style, int indent, const char *text) {
-    const int width = sheet->columns - indent > 20 ? sheet->columns - indent : 20;
+    int first = indent, rest = indent + hang(text);
     while (*text) {
+        const int width = sheet->columns - first > 20 ? sheet->columns - first : 20;
         const int length = break_at(text, width);
-        sheet_line(sheet, style, "%*s%.*s", indent, "", length, text);
+        sheet_line(sheet, style, "%*s%.*s", first, "", length, text);
         text += length;
+        first = rest;
+        if (*text == '\n') {
+            first = indent;
+            rest = indent + hang(text + 1);
+        }
         text += *text == ' ' || *text == '\n';
     }
 }
@@ -84,8 +88,8 @@ void sheet_bar(char *text, size_t size, double share, int width) {
 
 static void put_text(FILE *out, Style style, const char *text, int width, bool color) {
     const bool styled = color && style != STYLE_PLAIN;
-    fprintf(out, "%s%.*s%s", styled ? color_begin((ColorUse)style) : "", clip(text, width), text,
-            styled ? COLOR_END : "");
+    fprintf(out, "%s%.*s%s", styled ? color_begin((ColorUse)style) : "", (int)printable_clip(text, width),
+            text, styled ? COLOR_END : "");
 }
 
 static void put_line(FILE *out, const PageLine *line, int columns, bool color) {

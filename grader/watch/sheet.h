@@ -37,7 +37,8 @@ void sheet_line(Sheet *sheet, Style style, const char *format, ...) __attribute_
 void sheet_marked(Sheet *sheet, Style mark_style, const char *mark, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-// Adds a text of any length: broken at its line ends and at words, indented by `indent`.
+// Adds a text of any length: broken at its line ends and at words, indented by `indent`. A line that
+// begins with a dash goes on below its words.
 void sheet_text(Sheet *sheet, Style style, int indent, const char *text);
 
 // The same of a format, of at most SHEET_WIDTH - 1 bytes.

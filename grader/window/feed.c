@@ -212,7 +212,7 @@ bool feed_start(Feed *feed, const FeedSetup *setup) {
     feed->renew = !setup->waits;
     feed->drawing = -1;
     if (setup->drawer.kind == FEED_TRUTH && !drawer_has_truth())
-        return check_fail("no truth here: it needs Embree (common/setup --test), then make run again");
+        return check_fail("no truth here: it needs Embree (common/setup --more), then make run again");
     pthread_mutex_init(&feed->lock, NULL);
     pthread_cond_init(&feed->work, NULL);
     feed->running = pthread_create(&feed->thread, NULL, run, feed) == 0;

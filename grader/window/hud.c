@@ -1,9 +1,10 @@
-// Writes each block of text: state and knobs, times, the pixel under the mouse, problems, the table of keys.
+// Writes each block of text: state and knobs, times, the pixel under the mouse, problems; over it the table
+// of keys.
 #include "window/hud.h"
 
 #include "scene/check.h"
 #include "window/counts.h"
-#include "window/keys.h"
+#include "window/help.h"
 #include "window/knob_step.h"
 #include "window/lines.h"
 
@@ -15,7 +16,6 @@ static const Color white = {255, 255, 255, 255}, dim = {186, 192, 200, 255}, acc
 static const Color panel = {12, 14, 18, 196}, alarm = {112, 20, 24, 232};
 static const char *const names[FEED_COUNT] = {"mine", "reference", "truth"};
 static const double PATIENCE = 1;                          // seconds until the text says that a frame is late
-enum { HELP_COLUMNS = 76 };                                // that its longest line needs
 static const float MOST_TEXT = 0.45F, MOST_PROBLEM = 0.6F; // of the window's area, of its height
 
 // How much is written: in a small window the least important goes first, so that the picture is seen.
@@ -182,24 +182,6 @@ static int columns_of(const Text *text, int width) {
     return (int)((float)width / text->advance) - 2;
 }
 
-static void put_help(Text *text, int width, int height) {
-    static Lines lines;
-    const char *keys, *meaning;
-    char line[LINES_LENGTH];
-    memset(&lines, 0, sizeof lines);
-    lines.columns = columns_of(text, width);
-    const int wide = lines.columns < HELP_COLUMNS ? 0 : 24;
-    for (int row = 0; keys_help(row, &keys, &meaning); row++) {
-        snprintf(line, sizeof line, "%-*s%s%s", wide, keys, wide ? "" : ": ", meaning);
-        lines_add(&lines, row % 2 ? dim : white, line);
-    }
-    lines_keep(&lines, (int)(((float)height - text->advance) / text->line), accent,
-               "... a larger window shows more");
-    float x = ((float)width - (float)lines.longest * text->advance) / 2 - text->advance;
-    lines_put(&lines, text, fmaxf(0, x), fmaxf(0, ((float)height - lines_height(&lines, text)) / 2),
-              (Color){12, 14, 18, 240});
-}
-
 static void add_results(const App *app, Detail detail, const int cursor[2], Lines *lines) {
     lines_add(lines, accent, process_now() < app->notice_until ? app->notice : "");
     if (detail >= VERDICT) {
@@ -244,8 +226,8 @@ void hud_put(Text *text, const App *app, int width, int height, const int cursor
     lines_put(&problems, text, 0, fmaxf(0, y - lines_height(&problems, text)), alarm);
     lines_put(&bottom, text, 0, y, panel);
     lines_put(&top, text, 0, 0, panel);
-    if (app->state.help)
-        put_help(text, width, height);
+    if (app->state.help > 0)
+        help_put(text, width, height, app->state.help);
 }
 
 void hud_title(const App *app, char *title, size_t size) {

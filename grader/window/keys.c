@@ -179,7 +179,7 @@ static void change_light_shown(App *app, int sign) {
 
 static void change_help(App *app, int sign) {
     (void)sign;
-    app->state.help = !app->state.help;
+    app->state.help++;
 }
 
 // A key with Shift (1), without (0) or either way (-1). Rows of the help stand with the first key of a group.
@@ -261,7 +261,7 @@ enum { WISH_COUNT = COUNT(wishes) };
 Wish keys_press(App *app, int key, int modifiers, bool repeated) {
     int shift = (modifiers & GLFW_MOD_SHIFT) != 0;
     if (app->state.help && key == GLFW_KEY_ESCAPE) {
-        app->state.help = false;
+        app->state.help = 0;
         return WISH_NOTHING;
     }
     for (int i = 0; i < ACTION_COUNT; i++) {

@@ -26,7 +26,8 @@ typedef struct ViewState {
     double time; // seconds that the light has swung
     bool running;
     int pixel;              // side of a pixel of the picture in those of the window
-    bool help, text, loupe; // shown
+    bool text, loupe;       // shown
+    int help;               // page of the keys that is shown, from 1; 0: none
     bool volumes;           // shown: the casters' shadow volumes, as haze
     LightShown light_shown; // of the lights' maps
 } ViewState;

@@ -4,6 +4,7 @@
 
 #include "scene/check.h"
 #include "base/places.h"
+#include "window/help.h"
 #include "window/hud.h"
 #include "window/marks.h"
 #include "scene/shader_source.h"
@@ -100,6 +101,10 @@ Place window_place(const Window *window, const App *app) {
         return place_enlarged(screen->width, screen->height, window->width, window->height);
     return place_picture(screen->width, screen->height, window->width, window->height,
                          window_pixel(window, app->state.pixel));
+}
+
+int window_help_pages(const Window *window) {
+    return help_pages(&window->text, window->width, window->height);
 }
 
 // From window units to pixels across.

@@ -29,6 +29,9 @@ bool window_measure(Window *window);
 // The side of a pixel of the picture, in those of the window, for the state's `pixel`.
 int window_pixel(const Window *window, int pixel);
 
+// In how many pages the keys are shown.
+int window_help_pages(const Window *window);
+
 // Where the picture lies, pixels; empty while there is none.
 Place window_place(const Window *window, const App *app);
 

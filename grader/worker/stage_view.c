@@ -7,7 +7,7 @@ enum { MOST_STRETCHED = 8 };
 static const float GROUND = 40 / 255.0F;
 
 bool stage_view_create(StageView *view) {
-    if (!program_create(&view->program, &(ProgramFiles){"fullscreen.vert", "texture.frag", NULL}))
+    if (!program_create(&view->program, &(ProgramFiles){"fullscreen.vert", "stage.frag", NULL}))
         return false;
     glGenSamplers(1, &view->sampler);
     glSamplerParameteri(view->sampler, GL_TEXTURE_MIN_FILTER, GL_NEAREST);

@@ -3,8 +3,8 @@
 #include "scene/scene_parts.h"
 
 enum { PLATES = 4 };
-enum { SPHERE_IN_THE_MIDDLE = 4, BOX_IN_THE_MIDDLE = 3 }; // of three rows of three
-#define GIVEN_EXTENT 0.75F                                // of the lamp, as the skeleton has it
+enum { LOW = 3, MIDDLE = 1 };
+#define GIVEN_EXTENT 0.75F // of the lamp, as the skeleton has it
 
 // The lamp is a spot light whose map sees all of the table.
 static Light *add_lamp(Scene *scene, Random *random, float extent) {
@@ -81,18 +81,17 @@ static void put_nearest_first(Scene *scene) {
             swap(&objects[0], object);
 }
 
-// Low, small things of all shapes: far from the near plane, so that a search from there steps over them. One
-// is clearly nearest to the lamp, a sphere or a box.
+// Low, small things in a row: far from the near plane, so that a search from there steps over them. The one
+// in the middle is clearly nearest to the lamp, a sphere or a box.
 static void make_low(Scene *scene, Random *random) {
     begin(scene, random);
-    const int higher = random_int(random, 0, 1) ? SPHERE_IN_THE_MIDDLE : BOX_IN_THE_MIDDLE;
-    for (int i = 0; i < 9; i++) {
-        const int row = i / 3;
+    const int sphere = random_int(random, MIDDLE, LOW - 1);
+    for (int i = 0; i < LOW; i++) {
         float r = random_range(random, 0.12f, 0.22f);
-        part_object(scene, i % 3 == 1 ? SHAPE_SPHERE : SHAPE_BOX,
-                    vec3_make(1.1f * (float)(i % 3) - 1.1f + random_range(random, -0.2f, 0.2f),
-                              r + random_range(random, 0.3f, 0.6f) + (i == higher ? 0.9f : 0),
-                              1.1f * (float)row - 1.1f + random_range(random, -0.2f, 0.2f)),
+        part_object(scene, i == sphere ? SHAPE_SPHERE : SHAPE_BOX,
+                    vec3_make(1.1f * (float)(i - MIDDLE) + random_range(random, -0.2f, 0.2f),
+                              r + random_range(random, 0.3f, 0.6f) + (i == MIDDLE ? 0.9f : 0),
+                              random_range(random, -0.8f, 0.8f)),
                     vec3_make(r, r * random_range(random, 0.5f, 1), r), random_range(random, 0, 90),
                     part_color(random));
     }

@@ -138,6 +138,10 @@ static void test_shader_files(void **unused) {
     shader_source_map_log(&source, "1:2(5): error: x\n0:3(1): warning: y\nelse\n", mapped, sizeof mapped);
     assert_string_equal(mapped, "b.glsl:2:5: error: x\na.frag:3:1: warning: y\nelse\n");
     shader_source_destroy(&source);
+    write_file(folder, "windows.frag", "\xef\xbb\xbf#version 410 core\r\n#include \"b.glsl\"\r\nlast\r\n");
+    assert_true(shader_source_load(&source, "windows.frag"));
+    assert_string_equal(source.text, "#version 410 core\r\n#line 1 1\none\ntwo\n#line 3 0\nlast\r\n");
+    shader_source_destroy(&source);
     static const char *const refused[][2] = {
         {"old.frag", "old.frag:1: the first line must be: #version 410 core"},
         {"up.frag", "up.frag:2: #include takes one plain file name"},

@@ -93,8 +93,21 @@ static void test_file_names(void **state) {
     assert_null(strchr(file, '/'));
 }
 
+// Columns as terminals have them: letters of East Asia take two, a mark none.
+static void test_columns(void **state) {
+    (void)state;
+    assert_int_equal(printable_columns(""), 0);
+    assert_int_equal(printable_columns("\u00c5ngstr\u00f6m"), 8);
+    assert_int_equal(printable_columns("\u738b a"), 4);
+    assert_int_equal(printable_columns("e\u0301"), 1);
+    assert_int_equal(printable_columns("\xff!"), 2);
+    assert_int_equal(printable_clip("\u738b\u738b", 3), 3); // half a letter is none
+    assert_int_equal(printable_clip("e\u0301x", 1), 3);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_known), cmocka_unit_test(test_malformed),
-                                       cmocka_unit_test(test_random), cmocka_unit_test(test_file_names)};
+                                       cmocka_unit_test(test_random), cmocka_unit_test(test_file_names),
+                                       cmocka_unit_test(test_columns)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -110,6 +110,18 @@ static void test_narrow(void **unused) {
     assert_int_equal(sheet.count, 1); // 17 letters of two bytes
 }
 
+// What goes on from a line of a list stands below its words; what follows it, below its dash.
+static void test_hanging(void **unused) {
+    (void)unused;
+    static const char *const wanted[] = {"  - one two three four", "    five", "  six seven eight nine",
+                                         "  ten"};
+    sheet_begin(&sheet, 24);
+    sheet_text(&sheet, STYLE_PLAIN, 2, "- one two three four five\nsix seven eight nine ten");
+    assert_int_equal(sheet.count, 4);
+    for (int i = 0; i < 4; i++)
+        assert_string_equal(sheet.lines[i].text, wanted[i]);
+}
+
 // The luminance of a colour of the 6 x 6 x 6 cube, by WCAG 2.2.
 static double cube_luminance(int number) {
     static const double weights[] = {0.0722, 0.7152, 0.2126}; // blue, green, red: the last digit first
@@ -144,8 +156,8 @@ static void test_colors(void **unused) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_points), cmocka_unit_test(test_scrolling),
-                                       cmocka_unit_test(test_marked), cmocka_unit_test(test_narrow),
-                                       cmocka_unit_test(test_colors)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_points),  cmocka_unit_test(test_scrolling),
+                                       cmocka_unit_test(test_marked),  cmocka_unit_test(test_narrow),
+                                       cmocka_unit_test(test_hanging), cmocka_unit_test(test_colors)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

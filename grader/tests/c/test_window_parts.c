@@ -5,6 +5,8 @@
 #include "window/captions.h"
 #include "window/counts.h"
 #include "window/guide_lines.h"
+#include "window/help.h"
+#include "window/keys.h"
 #include "window/place.h"
 
 #include <math.h>
@@ -117,8 +119,48 @@ static void test_enlarged(void **unused) {
     assert_true(place.width <= 1 && place.height <= 1);
 }
 
+// Is each word of the table on one of the pages, and does each page fit?
+static void assert_whole(int columns, int rows) {
+    static char all[40000];
+    static Lines lines;
+    const char *keys, *meaning;
+    int pages = 1;
+    all[0] = '\0';
+    for (int page = 1; page <= pages; page++) {
+        lines_clear(&lines);
+        lines.columns = columns;
+        pages = help_page(&lines, rows, page);
+        assert_true(lines.count > 0 && lines.count <= rows && (int)lines.longest <= columns);
+        for (int i = 0; i < lines.count; i++)
+            check_append(all, sizeof all, "%s ", lines.of[i]);
+    }
+    for (int row = 0; keys_help(row, &keys, &meaning); row++)
+        for (const char *word = meaning; word; word = strchr(word + 1, ' ')) {
+            char one[64] = "";
+            snprintf(one, sizeof one, "%.*s", (int)strcspn(word + 1, " ") + 1, word);
+            if (!strstr(all, keys) || !strstr(all, one))
+                fail_msg("%d columns, %d rows, %d pages: \"%s\" of %s is missing", columns, rows, pages, one,
+                         keys);
+        }
+}
+
+// Whatever the size of the window, all keys are told.
+static void test_help(void **unused) {
+    (void)unused;
+    for (int columns = 30; columns < 140; columns++)
+        for (int rows = 8; rows < 40; rows++)
+            assert_whole(columns, rows);
+    static Lines lines;
+    lines.columns = 100;
+    assert_int_equal(help_page(&lines, 40, 1), 1); // the table has 31 rows
+    lines_clear(&lines);
+    assert_int_equal(help_page(&lines, 20, 2), 2);
+    assert_string_equal(lines.of[lines.count - 1], "2 of 2: F1 closes this");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_counts), cmocka_unit_test(test_captions),
-                                       cmocka_unit_test(test_light_lines), cmocka_unit_test(test_enlarged)};
+                                       cmocka_unit_test(test_light_lines), cmocka_unit_test(test_enlarged),
+                                       cmocka_unit_test(test_help)};
     return cmocka_run_group_tests_name("window parts", tests, NULL, NULL);
 }

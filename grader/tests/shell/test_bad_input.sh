@@ -30,7 +30,9 @@ case_ warning 0 "note: ./lab.c:" "unused variable" "100.00 of 100 points"
 solved glsl-error >/dev/null
 sed -i 's/float lit = visibility/float lit = visibilty/' "$(shader glsl-error)"
 line=$(grep -n 'visibilty' "$(shader glsl-error)" | cut -d: -f1)
-case_ glsl-error 1 "shadow.frag does not compile" "shadow.frag:$line:" "The compiler's own words:" "0:$line("
+case_ glsl-error 1 "shadow.frag does not compile" "shadow.frag:$line:" "error: no function with name 'visibilty'"
+[[ $out != *"0:$line("* ]] && ok || bad "each error is told once" "$out"
+[[ $out != *"the fault is in"* ]] && ok || bad "no search where the compiler has said it" "$out"
 
 solved missing-file >/dev/null && rm "$(shader missing-file)"
 case_ missing-file 1 "shadow.frag cannot be read: No such file"

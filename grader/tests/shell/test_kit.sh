@@ -9,6 +9,15 @@ unpack() { tar -xzf "$BUILD/shadow-lab-kit.tar.gz" -C "$work"; }
 unpack && kit=$work/shadow-lab
 run() { status=0; out=$("$@" 2>&1 </dev/null) || status=$?; }
 
+# Unpacked by something that forgets what can be started: make sets it right.
+cp -r "$kit" "$work/zipped" && chmod -R a-x,u+X "$work/zipped"
+run make -C "$work/zipped" --no-print-directory help
+[[ $status == 0 && $out == *"the labs are in labs/"*"make watch"* && $out != *denied* ]] && ok || bad "a kit without marks of what can be started" "$out"
+rm -r "$work/zipped/labs" "$work/zipped/.kit" "$work/zipped/shaders/"*
+run make -C "$work/zipped" --no-print-directory help
+[[ $status == 2 && $out == *"this kit is not whole: "*" files are missing, the first is shaders/"*"unpack it again"* ]] && ok || bad "a kit that was half unpacked" "$out"
+rm -r "$work/zipped"
+
 # It makes labs/ at the first command. Over an older kit it renews the handouts, and nothing that was written goes.
 [[ ! -e $kit/labs ]] && ok || bad "a kit that is unpacked over labs/ overwrites them"
 run "$kit/grader/scripts/lay_out"
@@ -139,6 +148,8 @@ done <<<"$named"
 in_kit help
 expect "help" 0 "make watch" "make hand-in" "make study LAB=05"
 [[ $out != *mutants* && $out != *"make demo"* ]] && ok || bad "help lists what is not there" "$out"
+status=0 out=$(LC_ALL=xx_YY make -C "$kit" --no-print-directory help 2>&1) || status=$?
+[[ $status == 0 && $out != *locale* ]] && ok || bad "a language that is not installed" "$out"
 in_kit demo
 expect "a teacher's target" 2 "make demo is not in this kit; make help lists what is"
 grep -q '^| \[13 ' "$kit/README.md" && ! grep -q '@LABS@' "$kit/README.md" && ok || bad "the table of labs in the kit's README" "$(cat "$kit/README.md")"
@@ -151,6 +162,17 @@ expect "hand in" 0 "build/lab-03.tar.gz" "03-shadow-map/lab.c" "still to do: TOD
 printf '{\n  "labs": {\n    "03": {\n      "done": true\n    }\n  }\n}\n' >"$work/done"
 in_kit hand-in LAB=03 SHADOW_LAB_PROGRESS="$work/done"
 [[ $status == 0 && $out != *"still to do"* ]] && ok || bad "a lab that is done, with its TODOs" "$out"
+# Of all labs those are packed that were begun: what the watch draws into the predictions is no work.
+in_kit hand-in
+expect "nothing is begun" 2 "labs/ is as it was handed out; nothing was packed"
+echo '// mine' >>"$kit/labs/04-acne-and-bias/lab.c"
+sed -i 's/$/\r/' "$kit"/labs/05-pcf/lab.c
+sed -i '1i sheet 77' "$kit"/labs/06-*/predictions.txt
+sed -i 's/^a ?/a 3/' "$kit"/labs/07-*/predictions.txt
+echo '{"labs": {"04": {"done": false, "score": 41.7, "max_score": 100}}}' >"$work/open"
+in_kit hand-in SHADOW_LAB_PROGRESS="$work/open"
+expect "all that was begun" 0 "build/labs.tar.gz" "04-acne-and-bias: 41 of 100 points" "07-shadow-volumes: not graded yet" "not begun, and not in it: 01 02 03 05 06 08"
+[[ $(tar -tzf "$kit/build/labs.tar.gz" | cut -c1-2 | sort -u | paste -sd' ') == "04 07" ]] && ok || bad "what is packed" "$(tar -tzf "$kit/build/labs.tar.gz")"
 # Names that a browser, an editor or a link made are packed, as they are graded; what is missing is said.
 mv "$kit/labs/03-shadow-map/lab.c" "$work/elsewhere.c" && ln -s "$work/elsewhere.c" "$kit/labs/03-shadow-map/LAB (1).c"
 mv "$kit/labs/03-shadow-map/shadow.frag" "$kit/labs/03-shadow-map/shadow.frag.txt"

@@ -117,4 +117,19 @@ folder=$(resolve both 05)
 sed -i 's/xy + vec2(x, y) \* texel)/xy + 1.7 * vec2(x, y) * texel)/; s/f = place - corner/f = 0.5 * (place - corner)/' "$folder/shadow.frag"
 grades --no-swap --lab 05 --seed 1 --trusted "$folder"
 expect "two faults without our solution" 1 "there are faults in \`by_hand\` (shadow.frag) and in \`gather\` (shadow.frag)"
+
+# Without our solution two tasks that draw the same are both told; so is the task of what else looks like "no effect".
+folder=$(resolve fetch 08)
+sed -i 's/texture(u_baked, texel .*)).r;/texelFetch(u_baked, ivec2(texel), 0).r;/' "$folder/occlusion.frag"
+grades --no-swap --lab 08 --seed 1 --trusted "$folder"
+expect "one picture of two tasks" 1 "\`bake\` (lab.c) or in \`baked_visibility\` (occlusion.frag), tasks 8.1 and 8.3"
+folder=$(resolve colours 07)
+sed -i 's/glDrawBuffers(2, /glDrawBuffers(1, /' "$folder/lab.c"
+grades --no-swap --lab 07 --seed 1 --trusted "$folder"
+expect "no effect of another task" 1 "tasks 7.2 and 7.1: with any of them" "only the first of the two colours is drawn to"
+# What is done does too much: no check needs its task.
+folder=$(resolve much 04)
+sed -i 's/^    if (u_method == NORMAL_OFFSET) {/    if (u_method >= SLOPE) {/' "$folder/shadow.frag"
+grades --no-swap --lab 04 --seed 1 --trusted "$folder"
+expect "what is done for too many" 1 "\`lookup_position\` (shadow.frag), task 4.5"
 finish
