@@ -33,7 +33,7 @@ static void make_nested(Scene *scene, Random *random) {
     part_floor(scene, 6, random);
     vec3s lamp = beside(scene, random, 60, 90, random_range(random, 45, 55));
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 3; i++) {
         float height = 0.4f + 0.75f * (float)i, r = random_range(random, 0.45f, 0.6f);
         vec3s center = glms_vec3_scale(lamp, height / lamp.y);
         center.x += random_range(random, -0.25f, 0.25f);
@@ -52,10 +52,10 @@ static void make_towers(Scene *scene, Random *random) {
     scene->background = vec3_make(0.8f, 0.9f, 1);
     vec3s lamp = beside(scene, random, 40, 80, random_range(random, 40, 50));
     part_light(scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0));
-    for (int i = 0; i < 7; i++) {
+    for (int i = 0; i < 3; i++) {
         float h = random_range(random, 0.5f, 1);
         part_object(scene, SHAPE_BOX,
-                    vec3_make(-3.6f + 1.2f * (float)i, h, random_range(random, -3.5f, 0.5f)),
+                    vec3_make(-3.6f + 3.6f * (float)i, h, random_range(random, -3.5f, 0.5f)),
                     vec3_make(random_range(random, 0.3f, 0.5f), h, random_range(random, 0.3f, 0.5f)),
                     random_range(random, 0, 90), part_color(random));
     }
@@ -91,10 +91,10 @@ static void make_into_sky(Scene *scene, Random *random) {
     vec3s lamp = beside(scene, random, 5, 30, 0);
     lamp = glms_vec3_scale(lamp, random_range(random, 0.5f, 0.6f));
     lamp.y = 0.1f;
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 2; i++) {
         float r = random_range(random, 0.35f, 0.5f);
         part_object(scene, SHAPE_BOX,
-                    vec3_make(-1.8f + 1.2f * (float)i, random_range(random, 0.5f, 1.6f),
+                    vec3_make(-1.8f + 3.6f * (float)i, random_range(random, 0.5f, 1.6f),
                               random_range(random, -0.5f, 0.5f)),
                     vec3_make(r, r, r), random_range(random, 0, 90), part_color(random));
     }
@@ -165,8 +165,8 @@ static void make_sheets(Scene *scene, Random *random) {
     part_floor(scene, 14, random);
     scene->camera.eye =
         part_orbit(vec3_make(0, 0.5f, 0), random_range(random, -35, 35), random_range(random, 45, 55), 9);
-    for (int i = 0; i < 5; i++) {
-        vec3s middle = vec3_make(-3.2f + 1.6f * (float)i, 0.7f, random_range(random, -3.5f, 0.5f));
+    for (int i = 0; i < 2; i++) {
+        vec3s middle = vec3_make(-3.2f + 6.4f * (float)i, 0.7f, random_range(random, -3.5f, 0.5f));
         Object *sheet = part_object(scene, SHAPE_PLANE, middle, vec3_make(1, 1, 1),
                                     random_range(random, -60, 60), part_color(random));
         sheet->world_from_object = glms_rotate(sheet->world_from_object, glm_rad(60), vec3_make(1, 0, 0));

@@ -49,9 +49,8 @@ static void make_fence(Scene *scene, Random *random) {
     part_floor(scene, 9, random);
     float step = random_range(random, 0.34f, 0.4f), turn = random_range(random, -15, 15);
     mat4s turned = glms_rotate_make(glm_rad(turn), vec3_make(0, 1, 0));
-    for (int i = 0; i < 4; i++)
-        part_object(scene, SHAPE_BOX,
-                    glms_mat4_mulv3(turned, vec3_make(step * ((float)i - 1.5f), 0.6f, 0), 1),
+    for (int i = 0; i < 11; i++)
+        part_object(scene, SHAPE_BOX, glms_mat4_mulv3(turned, vec3_make(step * (float)(i - 5), 0.6f, 0), 1),
                     vec3_make(0.08f, 0.6f, 0.08f), turn, part_color(random));
     add_light(scene, random, 35, 50);
     vec3s away = glms_vec3_sub(scene->camera.eye, scene->camera.target);
