@@ -23,7 +23,8 @@ enum { MOST_SCENES = 64, MOST_FRAMES = 1000, MOST_SIDE = PROTOCOL_MAX_SIZE };
 typedef struct ChartCommand {
     const char *scenes[MOST_SCENES], *submission, *output;
     char lab[3]; // "": all
-    int scene_count, frames, without;
+    int scene_count, frames;
+    uint32_t without; // as LabArtist has it
     MetricsSize size;
     bool quick, compare, list;
     char **compared; // two files
@@ -55,9 +56,10 @@ static bool take_size(void *target, const char *text) {
 }
 
 static bool take_without(void *target, const char *text) {
-    int *without = target;
-    bool ok = option_whole(without, text, 0, SCENE_MAX_OBJECTS - 1);
-    (*without)++;
+    uint32_t *without = target;
+    int number = 0;
+    bool ok = option_whole(&number, text, 0, SCENE_MAX_OBJECTS - 1);
+    *without |= 1U << number;
     return ok;
 }
 
@@ -78,8 +80,8 @@ static const Option options[] = {
     {"size", 0, "WxH", "640x480 (320x240 with --quick)", AT(size), take_size},
     {"output", 0, "DIR", "default build/study; what is measured there is not measured again", AT(output),
      option_text},
-    {"without", 0, "N", "object N is left out of all scenes: does a verdict change?", AT(without),
-     take_without},
+    {"without", 0, "N", "object N is left out of all scenes: does a verdict change? May be repeated",
+     AT(without), take_without},
     {"list", 0, NULL,
      "print of each scene its name, how many objects it has, its chart's title, and the methods in it",
      AT(list), option_flag},
@@ -190,11 +192,14 @@ static bool open_output(StudyPlan *plan, Output *output) {
 
 // Without an object that no scene has, the study would be the whole one.
 static bool has_left_out(const ChartCommand *command) {
-    bool any = command->without == 0;
-    for (int i = 0; !any && study_scene(i); i++)
-        any = is_wanted(command, study_scene(i)) && command->without <= study_count_objects(study_scene(i));
-    return any || check_fail("none of these scenes has an object %d; --list tells how many each has",
-                             command->without - 1);
+    int most = 0, last = 0;
+    for (int i = 0; study_scene(i); i++)
+        if (is_wanted(command, study_scene(i)) && study_count_objects(study_scene(i)) > most)
+            most = study_count_objects(study_scene(i));
+    while (command->without >> last > 1)
+        last++;
+    return command->without >> most == 0 ||
+           check_fail("none of these scenes has an object %d; --list tells how many each has", last);
 }
 
 // Before anything is measured: an hour later would be late.

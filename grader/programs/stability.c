@@ -51,8 +51,9 @@ static bool take_mistake(void *target, const char *text) {
 
 static bool take_without(void *target, const char *text) {
     StabilityCommand *command = target;
-    bool ok = option_whole(&command->labs.without, text, 0, SCENE_MAX_OBJECTS - 1);
-    command->labs.without++;
+    int number = 0;
+    bool ok = option_whole(&number, text, 0, SCENE_MAX_OBJECTS - 1);
+    command->labs.without |= 1U << number;
     return ok;
 }
 
@@ -62,8 +63,9 @@ static const Option options[] = {
      offsetof(StabilityCommand, output), option_text},
     {"mistake", 0, "NN:NAME", "lab NN is drawn with a mistake of its mistakes.json", 0, take_mistake},
     {"without", 0, "N",
-     "object N is left out of all scenes: of the rows that have it, those that need it fail", 0,
-     take_without},
+     "object N is left out of all scenes: of the rows that have it, those that need it fail; may "
+     "be\nrepeated",
+     0, take_without},
     {0}};
 
 static bool check(void *settings, const Operands *operands) {
@@ -118,6 +120,10 @@ static bool write_page(const RowResult *results, int count, const char *folder) 
     return ok;
 }
 
+static bool has_left_out(const StabilityCommand *command, const RowResult *result) {
+    return command->labs.without & ((1U << result->objects) - 1);
+}
+
 // The number of rows that ran; *failed is that of those that fail.
 static int run_rows(StabilityCommand *command, RowResult *results, int *failed) {
     int count = 0;
@@ -125,9 +131,9 @@ static int run_rows(StabilityCommand *command, RowResult *results, int *failed) 
     for (int i = 0; i < command->row_count; i++)
         if (command->chosen[i]) {
             row_run(&results[count], command->rows[i], &command->labs);
-            if (command->labs.without && !lab_set_left_out(&command->labs)) {
+            if (command->labs.without && !has_left_out(command, &results[count])) {
                 findings_destroy(&results[count].findings);
-                continue; // no scene of the row has this object
+                continue; // no scene of the row has one of these objects
             }
             print_line(&results[count]);
             *failed += results[count++].status == ROW_FAIL;
@@ -138,11 +144,10 @@ static int run_rows(StabilityCommand *command, RowResult *results, int *failed) 
 
 static int run(StabilityCommand *command) {
     static RowResult results[ROW_MOST];
-    const int left_out = command->labs.without - 1;
     int failed, count = run_rows(command, results, &failed);
     const char *folder = command->output;
     if (count == 0) {
-        fprintf(stderr, "stability: none of these rows has an object %d\n", left_out);
+        fprintf(stderr, "stability: none of these rows has an object that is left out\n");
         return 1;
     }
     check_clear();

@@ -61,13 +61,14 @@ LabArtist *lab_set_artist(LabSet *labs, const char *lab, const Change *change) {
     return artist && lab_artist_change(artist, change) ? artist : NULL;
 }
 
-bool lab_set_left_out(LabSet *labs) {
-    bool any = false;
+int lab_set_most_objects(LabSet *labs) {
+    int most = 0;
     for (int i = 0; i < labs->count; i++) {
-        any = any || labs->artists[i].left_out;
-        labs->artists[i].left_out = false;
+        if (labs->artists[i].most_objects > most)
+            most = labs->artists[i].most_objects;
+        labs->artists[i].most_objects = 0;
     }
-    return any;
+    return most;
 }
 
 void lab_set_close(LabSet *labs) {

@@ -4,6 +4,7 @@
 #include "study/lab_artist.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 
 enum { BENCH_LABS = 16, BENCH_FAULTED = 48 };
 
@@ -17,7 +18,7 @@ typedef struct Faulted {
 typedef struct LabSet {
     LabArtist artists[BENCH_LABS];
     int count;
-    int without;                   // as LabArtist has it
+    uint32_t without;              // as LabArtist has it
     const char *fault_lab, *fault; // a catalogued mistake that this lab is drawn with; NULL: none
     Faulted faulted[BENCH_FAULTED];
     int faulted_count;
@@ -28,7 +29,7 @@ typedef struct LabSet {
 // the next call for this lab changes them.
 LabArtist *lab_set_artist(LabSet *labs, const char *lab, const Change *change);
 
-// Was an object left out of any scene since the last call?
-bool lab_set_left_out(LabSet *labs);
+// The most objects that a scene had which was drawn since the last call.
+int lab_set_most_objects(LabSet *labs);
 
 void lab_set_close(LabSet *labs); // accepts a zeroed bench

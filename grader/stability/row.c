@@ -94,6 +94,7 @@ void row_run(RowResult *result, const Row *row, LabSet *labs) {
     bool ran = row->run(labs, &result->findings);
     if (!ran)
         snprintf(result->message, sizeof result->message, "%s", check_message());
+    result->objects = lab_set_most_objects(labs);
     find_worst(result);
     result->status = ran && result->curve && result->worst.holds ? ROW_PASS : ROW_FAIL;
 }

@@ -64,6 +64,7 @@ typedef struct RowResult {
     RowStatus status;       // it passes when it could go on, there are curves and all of them hold
     CurveVerdict worst;     // what uses up most of its tolerance
     const Curve *curve;     // that it belongs to; NULL: there are none
+    int objects;            // the most of a scene of the row
 } RowResult;
 
 // Runs the row and judges it. The caller destroys the findings.

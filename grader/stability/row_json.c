@@ -53,10 +53,10 @@ json_t *row_json(const RowResult *result) {
     for (int i = 0; i < findings->figure_count; i++)
         json_array_append_new(figures, figure_json(&findings->figures[i]));
     return json_pack(
-        "{s:i, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:s?, s:o, s:o, s:s?, s:o, s:o}", "id", row->number, "name",
-        row->name, "method", row->method, "status", row_status_name(result->status), "sweep", row->sweep,
-        "why", row->expected, "source", row->source, "message", result->message, "curve",
-        result->curve ? result->curve->name : NULL, "measured",
+        "{s:i, s:s, s:s, s:s, s:s, s:s, s:s, s:s, s:i, s:s?, s:o, s:o, s:s?, s:o, s:o}", "id", row->number,
+        "name", row->name, "method", row->method, "status", row_status_name(result->status), "sweep",
+        row->sweep, "why", row->expected, "source", row->source, "message", result->message, "objects",
+        result->objects, "curve", result->curve ? result->curve->name : NULL, "measured",
         result->curve ? number(result->worst.measured) : json_null(), "expected",
         result->curve ? number(result->worst.expected) : json_null(), "figure",
         findings->figure_count ? figure : NULL, "figures", figures, "frames", frames_json(findings));

@@ -92,19 +92,22 @@ bool lab_artist_change(LabArtist *artist, const Change *change) {
 
 void lab_artist_leave_out(LabArtist *artist, Scene *scene) {
     static const float POINT = 1e-4f; // world units: less than a pixel and a texel
-    if (artist->without < 1 || artist->without > scene->object_count)
-        return;
-    artist->left_out = true;
-    mat4s *world = &scene->objects[artist->without - 1].world_from_object;
-    for (int axis = 0; axis < 3; axis++) {
-        const vec3s unit = glms_vec3_normalize(glms_vec3(world->col[axis]));
-        world->col[axis] = glms_vec4(glms_vec3_scale(unit, POINT), 0);
+    for (int i = 0; i < scene->object_count; i++) {
+        if (!(artist->without >> i & 1))
+            continue;
+        mat4s *world = &scene->objects[i].world_from_object;
+        for (int axis = 0; axis < 3; axis++) {
+            const vec3s unit = glms_vec3_normalize(glms_vec3(world->col[axis]));
+            world->col[axis] = glms_vec4(glms_vec3_scale(unit, POINT), 0);
+        }
     }
 }
 
 bool lab_artist_draw(LabArtist *artist, const Request *asked, Image *image, Reply *reply) {
     static _Thread_local Request changed;
     const Request *request = asked;
+    if (asked->scene.object_count > artist->most_objects)
+        artist->most_objects = asked->scene.object_count;
     if (artist->without) {
         changed = *asked;
         lab_artist_leave_out(artist, &changed.scene);

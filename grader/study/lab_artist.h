@@ -4,6 +4,7 @@
 #include "exam/painters.h"
 
 #include <stdbool.h>
+#include <stdint.h>
 
 typedef struct LabArtist {
     Rubric rubric;          // of the lab
@@ -13,8 +14,8 @@ typedef struct LabArtist {
     WorkerClient counter;   // whose frames are counted: counted_frame.h
     Description table;      // ours: of the lab, once lab_artist_pass_kinds asked for it
     char renderer[128];     // as the last frame's Reply has it
-    int without;            // 1 + the number of an object that is left out of all scenes; 0: none
-    bool left_out;          // a scene had it
+    uint32_t without;       // objects that are left out of all scenes, a bit each
+    int most_objects;       // of a scene that it drew
 } LabArtist;
 
 // The solution of lab `id` ("05"), for frames that are few and small. False with a message.
@@ -38,8 +39,8 @@ bool lab_artist_adapt(LabArtist *artist, const Change *change);
 // artist. False with a message when an edit does not apply or the result does not compile.
 bool lab_artist_change(LabArtist *artist, const Change *change);
 
-// Leaves the artist's object out of a scene that has it: it shrinks to a point where it stands, so that the
-// numbers of the others stay.
+// Leaves the artist's objects out of a scene that has them: each shrinks to a point where it stands, so that
+// the numbers of the others stay.
 void lab_artist_leave_out(LabArtist *artist, Scene *scene);
 
 // Draws; true when the picture is there. False with a message when the lab or its process failed.

@@ -3,13 +3,15 @@
 
 #include "study/method.h"
 
+#include <stdint.h>
+
 enum { CREW_MOST = 64 };
 
 typedef struct LabArtists {
     const char *submission_lab, *submission; // NULL: there is none
     const Jail *jail;                        // for the submission; NULL: none
     ContextKind context;
-    int without; // as LabArtist has it
+    uint32_t without; // as LabArtist has it
     struct {
         LabArtist *artist;
         const char *lab;

@@ -13,8 +13,7 @@ static const float lamp_fov = 0.62f;
 #define LAMP_RADIUS                                                                                          \
     (2 * (LAMP_HEIGHT - PLATE_HEIGHT) * LAMP_TANGENT / STUDY_KERNEL * LAMP_HEIGHT / PLATE_HEIGHT)
 
-// Plates at one height before a wall, so that one kernel fits; two bars and pebbles that are narrower than
-// it.
+// A plate and two bars narrower than the kernel at one height before a wall, so that one kernel fits.
 static void make_penumbra(Scene *scene) {
     const float h = PLATE_HEIGHT;
     *scene = closed_wall(3.2f, 10, glm_rad(36));
@@ -22,9 +21,6 @@ static void make_penumbra(Scene *scene) {
     study_add_turned(scene, SHAPE_BOX, vec3_make(-0.7f, 0.5f, h), vec3_make(0.45f, 0.25f, 0.01f), 20);
     study_add_turned(scene, SHAPE_BOX, vec3_make(-0.6f, -0.6f, h), vec3_make(0.5f, 0.035f, 0.01f), -10);
     study_add_turned(scene, SHAPE_BOX, vec3_make(0.5f, 0.1f, h), vec3_make(0.035f, 0.6f, 0.01f), 30);
-    for (int i = 0; i < 4; i++)
-        study_add_turned(scene, SHAPE_BOX, vec3_make(-0.95f + 0.3f * (float)i, -0.1f, h),
-                         vec3_make(0.04f, 0.04f, 0.01f), 20 * (float)i);
     closed_light(scene, LIGHT_SPOT, vec3_make(0, 0, LAMP_HEIGHT), vec3_make(0, 0, 0), lamp_fov, 0, 4, 16);
 }
 

@@ -168,18 +168,17 @@ static bool run_open(LabSet *labs, Findings *findings) {
                        false);
 }
 
-// Boxes in a row over a floor, each with a side in whose plane the lamp lies but for a `step`.
-static Scene grazed_boxes(int step) {
+// A box on the wall, with a side in whose plane the lamp lies but for a `step`.
+static Scene grazed_box(int step) {
     Scene scene = closed_wall(6, 10, glm_rad(40));
     const vec3s lamp = vec3_make(0.3f, -5, 6);
-    for (int i = 0; i < 7; i++) {
-        float x = -2.4f + 0.8f * (float)i + 1e-6f * (float)step, along = atan2f(x - lamp.x, 5);
-        vec3s side = vec3_make(cosf(along), -sinf(along), 0);
-        vec3s center = glms_vec3_add(vec3_make(x, 0, 0.6f), glms_vec3_scale(side, 0.2f));
-        mat4s placed = glms_rotate(glms_translate_make(center), -along, vec3_make(0, 0, 1));
-        closed_add(&scene, SHAPE_BOX, center, vec3_make(1, 1, 1), 0);
-        scene.objects[i + 1].world_from_object = glms_scale(placed, vec3_make(0.2f, 0.3f, 0.6f));
-    }
+    const float x = -0.8f + 1e-6f * (float)step, along = atan2f(x - lamp.x, 5);
+    const vec3s side = vec3_make(cosf(along), -sinf(along), 0);
+    const vec3s center = glms_vec3_add(vec3_make(x, 0, 0.6f), glms_vec3_scale(side, 0.2f));
+    closed_add(&scene, SHAPE_BOX, center, vec3_make(1, 1, 1), 0);
+    mat4s *placed = &scene.objects[1].world_from_object;
+    *placed = glms_rotate(glms_translate_make(center), -along, vec3_make(0, 0, 1));
+    *placed = glms_scale(*placed, vec3_make(0.2f, 0.3f, 0.6f));
     closed_light(&scene, LIGHT_SPOT, lamp, vec3_make(0, 0, 0), glm_rad(90), 0, 1, 20);
     return scene;
 }
@@ -188,8 +187,8 @@ static Scene grazed_boxes(int step) {
 static bool sweep_grazing(const Counting *method) {
     double leaking = 0;
     bool ok = true;
-    for (int step = -8; ok && step <= 8; step++) {
-        const Scene scene = grazed_boxes(step);
+    for (int step = -CURVE_POINTS / 2; ok && step < CURVE_POINTS / 2; step++) {
+        const Scene scene = grazed_box(step);
         Probe probe;
         ok = counting_begin(&probe, method, &scene);
         const Metrics *metrics = &probe.measured.metrics;
@@ -202,7 +201,7 @@ static bool sweep_grazing(const Counting *method) {
 }
 
 static bool run_silhouette(LabSet *labs, Findings *findings) {
-    Figure *figure = findings_figure(findings, "The sides of boxes move through the lamp's place",
+    Figure *figure = findings_figure(findings, "The side of a box moves through the lamp's place",
                                      "step (millionths of a world unit)", "leaking pixels so far");
     return sweep_grazing(&(Counting){labs, findings,
                                      figure_curve(figure, "failure: corners as they come", CURVE_RISING),
@@ -228,7 +227,7 @@ const Row LAB_TABLE[] = {
      "volume: a single quad casts no shadow at all, whichever way it is turned. A closed board does, however "
      "thin it is.",
      "count by hand; the traced shadow", run_open},
-    {25, "silhouettes", "z-fail", "the lamp's place moves through the planes of the casters' sides",
+    {25, "silhouettes", "z-fail", "the plane of the caster's side moves through the lamp's place",
      "A triangle is asked whether it faces the light by itself and by its three neighbours. When rounding "
      "gives them different answers, the volume has a hole through which a whole stripe leaks. With the "
      "corners sorted first, all hear the same answer; the CPU sorts by the numbers of the vertices.",

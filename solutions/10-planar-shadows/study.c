@@ -4,28 +4,34 @@
 
 #include <string.h>
 
-// A floor, a wall, and casters none of which shades another.
-static void make_flat(Scene *scene) {
+// A floor and a wall under a lamp.
+static void make_planes(Scene *scene) {
     *scene = (Scene){0};
     study_look(scene, vec3_make(0.4f, 3.4f, 6.2f), vec3_make(0, 0.5f, -0.4f));
     closed_add(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(4, 1, 4), 0);
     closed_stand(scene, vec3_make(0, 1.5f, -2.2f), 4, 1.5f, 0);
-    closed_add(scene, SHAPE_BOX, vec3_make(-1.6f, 0.45f, 0.3f), vec3_make(0.4f, 0.3f, 0.4f), 30);
-    closed_add(scene, SHAPE_SPHERE, vec3_make(0, 1.1f, 0.4f), vec3_make(0.45f, 0.45f, 0.45f), 0);
-    closed_add(scene, SHAPE_BOX, vec3_make(1.6f, 0.8f, 0), vec3_make(0.35f, 0.35f, 0.35f), 15);
     closed_light(scene, LIGHT_SPOT, vec3_make(0.6f, 5, 4), vec3_make(0, 0.4f, -0.4f), glm_rad(70), 0, 1, 14);
 }
 
-// The same under a lamp of side 0.8.
+// A caster whose edges run in all directions; its shadow lies on both planes.
+static void make_flat(Scene *scene) {
+    make_planes(scene);
+    closed_add(scene, SHAPE_SPHERE, vec3_make(0, 2.2f, 0.4f), vec3_make(0.45f, 0.45f, 0.45f), 0);
+}
+
+// Casters at three heights, none of which shades another, under a lamp of side 0.8.
 static void make_soft(Scene *scene) {
-    make_flat(scene);
+    make_planes(scene);
+    closed_add(scene, SHAPE_BOX, vec3_make(-1.6f, 0.45f, 0.3f), vec3_make(0.4f, 0.3f, 0.4f), 30);
+    closed_add(scene, SHAPE_SPHERE, vec3_make(0, 1.1f, 0.4f), vec3_make(0.45f, 0.45f, 0.45f), 0);
+    closed_add(scene, SHAPE_BOX, vec3_make(1.6f, 0.8f, 0), vec3_make(0.35f, 0.35f, 0.35f), 15);
     scene->lights[0].extent = 0.4f;
 }
 
 static const StudyScene scenes[] = {
     {"planes",
      "Hard light on floor and wall: flattened casters",
-     "two planes that receive, casters that do not shade each other",
+     "two planes that receive, and one caster",
      make_flat,
      {.kind = TRUTH_LIGHT},
      true,

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-// Posts before a low sun; one stands so that the eye is in its shadow.
+// A post before a low sun, and a slab that keeps the sun from the eye.
 static void make_dust(Scene *scene) {
     const vec3s eye = vec3_make(0.2f, 1.4f, 6.5f);
     *scene = (Scene){0};
@@ -12,10 +12,7 @@ static void make_dust(Scene *scene) {
     scene->camera.far_plane = 16;
     scene->medium = (Medium){.scattering = 0.1f, .extinction = 0.11f};
     closed_add(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(16, 1, 16), 0);
-    for (int i = 0; i < 5; i++)
-        closed_add(scene, SHAPE_BOX, vec3_make(1.4f * (float)i - 2.8f, 1.5f, -1), vec3_make(0.3f, 1.5f, 0.3f),
-                   20);
-    closed_add(scene, SHAPE_SPHERE, vec3_make(0.8f, 1.7f, 1.2f), vec3_make(0.4f, 0.4f, 0.4f), 0);
+    closed_add(scene, SHAPE_BOX, vec3_make(0, 1.5f, -1), vec3_make(0.3f, 1.5f, 0.3f), 20);
     closed_add(scene, SHAPE_BOX, vec3_make(0.35f, 2.75f, 4.5f), vec3_make(0.5f, 0.1f, 0.5f), 30);
     closed_light(scene, LIGHT_DIRECTIONAL, vec3_make(1.2f, 5.5f, -8), vec3_make(0, 0, 0), 0, 8, 0.5f, 24);
 }

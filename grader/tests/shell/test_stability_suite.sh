@@ -39,6 +39,10 @@ absent='[r for r in rows if r["status"] == "not-built"]'
 [[ $(json "all(r['figures'] == [] and r['measured'] is None for r in $absent)") == True ]] && ok ||
     bad "rows that are not built claim nothing"
 
+# No object was put into a row that nobody measured.
+"$BUILD/chart" --list >"$work/scenes"
+[[ -n ${QUICK:-} ]] || { out=$(grader/scripts/economy_gaps "$work/scenes" "$study/stability.json") && ok || bad "all objects of the rows were measured" "$out"; }
+
 # The page needs no network and has every row, its figure and its frames.
 page=$study/stability.html
 count() { grep -o "$1" "$page" | wc -l; }
@@ -146,7 +150,7 @@ expect "a mistake without a name" 2 "--mistake takes NN:NAME"
 suite --row 2 --mistake "04:no such thing"
 expect "an unknown mistake" 1 "no mistake \"no such thing\"" "1 of 1 rows fail"
 suite --row 17 --without 15
-expect "an object that the row has not" 1 "none of these rows has an object 15"
+expect "an object that the row has not" 1 "none of these rows has an object that is left out"
 suite surplus
 expect "a surplus argument" 2 "\"surplus\" is not an option"
 suite --row 30 --output /proc/nowhere

@@ -47,4 +47,44 @@ has "the sum" MUTANTS.md "|lab|made|compiled|killed|equal|survived|%||---|---|--
 |01|20|10|9|1|0|100.0||03|20|10|5|0|5|50.0||all|40|20|14|1|5|75.0|"
 table mutants 04
 expect "no such lab" 2 'there is no lab "04"; there are 01, 02, 03'
+
+# ECONOMY.md: five objects more in a scene or in a row, a scene of no line, an object that changes nothing and has no reason.
+gaps() { # NAME PATTERN: there is one more gap, which says so
+    status=0 out=$(grader/scripts/economy_gaps scenes rows.json 2>&1) || status=$?
+    [[ $status == 1 && $(wc -l <<<"$out") == 1 && $out == *"$2"* ]] && ok || bad "$1" "$out"
+}
+cp "$root/grader/scripts/economy_gaps" grader/scripts
+cat >grader/proof/ECONOMY.md <<'END'
+<!-- suite -->
+| rows | objects | a row does not fail without | why they stay |
+|---|---|---|---|
+| 1, 2 | 2 | none | |
+| 3 | 3 | object 2 | chance |
+<!-- end of suite -->
+<!-- study -->
+| scene | settings | verdicts that change without each object | without several | why they stay |
+|---|---|---|---|---|
+| edges | 39 | 2, 0 -> 1 | 1, 2: 3 | |
+| dust | 14 | 10, 0 -> 0 | | the eye |
+<!-- end of study -->
+END
+printf 'edges\t2\tPlates\ndust\t2\tDust\n' >scenes
+echo '{"rows": [{"id": 1, "objects": 2}, {"id": 2, "objects": 2}, {"id": 3, "objects": 3}]}' >rows.json
+out=$(grader/scripts/economy_gaps scenes rows.json 2>&1) && [[ -z $out ]] && ok || bad "no gap" "$out"
+sed -i.kept 's/edges\t2/edges\t7/' scenes
+gaps "five more in a scene" "edges has 7 objects, and 2 were measured"
+cp scenes.kept scenes && printf 'sky\t3\tSky\n' >>scenes
+gaps "a new scene" "sky was not measured"
+head -1 scenes.kept >scenes
+gaps "a scene that is gone" "has no scene dust"
+cp scenes.kept scenes
+sed -i.kept 's/"id": 2, "objects": 2/"id": 2, "objects": 7/' rows.json
+gaps "five more in a row" "row 2 of the suite has 7 objects, and 2 were measured"
+sed -i 's/"id": 2, "objects": 7/"id": 4, "objects": 2/' rows.json
+gaps "a new row" "row 4 of the suite has 2 objects, and none were measured"
+cp rows.json.kept rows.json
+sed -i.kept 's/the eye/**say why**/' grader/proof/ECONOMY.md
+gaps "no reason for an object of a scene" "dust changes nothing, and no reason"
+sed 's/| chance/|/' grader/proof/ECONOMY.md.kept >grader/proof/ECONOMY.md
+gaps "no reason for an object of a row" "row 3 of the suite passes without object 2"
 finish
