@@ -60,8 +60,8 @@ static void add_above(Scene *scene, Random *random, vec3s middle) {
 
 // Low over the floor, nearer to their shadows than to the lamp: on both sides, and under it.
 static void add_low(Scene *scene, Random *random, vec3s middle) {
-    static const float azimuths[] = {90, 270, 40};
-    for (int i = 0; i < 3; i++) {
+    static const float azimuths[] = {90, 270, 40, -40};
+    for (int i = 0; i < 4; i++) {
         float r = random_range(random, 0.15f, 0.25f),
               away = random_range(random, 0.8f, 1) * (i < 2 ? 2.3f : 0.8f);
         vec3s place = part_orbit(middle, azimuths[i] + random_range(random, -15, 15), 0, away);
