@@ -50,12 +50,18 @@ static void make_several(Scene *scene, Random *random) {
     add_lights(scene, random, random_int(random, 3, SCENE_MAX_LIGHTS));
 }
 
-// A box or a ball above a place, aside: nothing else is there.
-static void add_above(Scene *scene, Random *random, vec3s middle) {
-    float r = random_range(random, 0.3f, 0.6f);
-    vec3s way = glms_vec3_scale(vec3_make(0.2f, 1, -0.3f), random_range(random, 0.8f, 1.1f));
-    part_object(scene, random_int(random, 0, 1) ? SHAPE_BOX : SHAPE_SPHERE, glms_vec3_add(middle, way),
-                vec3_make(r, r, r), random_range(random, 0, 90), part_color(random));
+// Boxes and balls all around a place, also above and below it.
+static void add_around(Scene *scene, Random *random, vec3s middle) {
+    static const float places[][3] = {{1, -0.1f, 0.2f},     {-1, 0.1f, -0.2f}, {0.2f, 1, -0.3f},
+                                      {-0.1f, -1.1f, 0.2f}, {0.3f, 0, 1},      {-0.3f, -0.1f, -1.7f}};
+    for (int i = 0; i < 6; i++) {
+        vec3s aside = vec3_make(places[i][0], places[i][1], places[i][2]);
+        float r = random_range(random, 0.15f, 0.3f), away = random_range(random, 0.8f, 1.1f);
+        r *= i == 2 ? 2 : 1; // nothing else is above the lamp
+        part_object(scene, random_int(random, 0, 1) ? SHAPE_BOX : SHAPE_SPHERE,
+                    glms_vec3_add(middle, glms_vec3_scale(aside, away)), vec3_make(r, r, r),
+                    random_range(random, 0, 90), part_color(random));
+    }
 }
 
 // Low over the floor, nearer to their shadows than to the lamp: on both sides, and under it.
@@ -83,7 +89,7 @@ static void add_wall(Scene *scene, Random *random, float turn, float away) {
 static Light *add_lamp(Scene *scene, Random *random) {
     vec3s middle = vec3_make(random_range(random, -0.5f, 0.5f), random_range(random, 1.3f, 1.6f),
                              random_range(random, -0.2f, 0.6f));
-    add_above(scene, random, middle);
+    add_around(scene, random, middle);
     add_low(scene, random, middle);
     vec3s aside = vec3_make(random_range(random, -1, 1), random_range(random, -1, 1), 1);
     Light *lamp = part_light(scene, LIGHT_POINT, middle, glms_vec3_add(middle, aside));
