@@ -7,7 +7,7 @@ copy=$work/copy
 mkdir -p "$copy/build"
 cp -r "$root"/{Makefile,README.md,.github,common,shaders,labs,solutions,grader,.clang-format} "$copy"
 mkdir -p "$root/$BUILD/cache"
-cp -a "$root/$BUILD"/{grade,frame,skeletons,prove,worker,include,given,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
+cp -a "$root/$BUILD"/{grade,frame,chart,skeletons,prove,worker,include,given,cache} "$root/$BUILD"/jail_* "$copy/build" # with its time: the cache goes by the worker's
 cd "$copy" || exit 1
 three=solutions/03-shadow-map
 
@@ -43,38 +43,47 @@ expect "a check whose task does not show" 3 'check "dark behind the spot light":
 export SKIP_TIDY=1
 runs grader/scripts/gates build
 expect "the gates of the project as it is" 0 ", 0 failed"
-# broken NAME PATTERN COMMAND: the gates after the shell command; then everything is put back.
-broken() {
+# breaks NAME PATTERN COMMAND: the shell command breaks one thing; `refused` runs the gates, which must tell each of them, and puts
+# everything back. What is broken together lies in other files or other gates.
+names=() patterns=()
+breaks() {
     bash -c "$3"
+    names+=("$1") patterns+=("$2")
+}
+refused() {
     runs grader/scripts/gates build
-    expect "$1" 1 "$2"
+    for i in "${!names[@]}"; do expect "${names[i]}" 1 "${patterns[i]}"; done
+    names=() patterns=()
     rm -rf labs solutions common && cp -r "$root"/{labs,solutions,common} .
 }
-broken "labs/ edited by hand" "FAILED: labs/ is what solutions/ make of it" "echo >>labs/03-shadow-map/shadow.frag"
-broken "a task without a hint" "FAILED: 03-shadow-map: task ids agree" "sed -i 's/\"3.4\": \\[/\"3.44\": [/' $three/hints.json"
-broken "a task with two hints" "FAILED: 03-shadow-map: task ids agree" "python3 -c 'import json; p = \"$three/hints.json\"; j = json.load(open(p)); del j[\"3.4\"][2]; json.dump(j, open(p, \"w\"))'"
-broken "a hint that holds a line of the solution" "3.4: glClear(GL_DEPTH_BUFFER_BIT)" "sed -i 's/clear the depth, and let/glClear( GL_DEPTH_BUFFER_BIT ), and let/' $three/hints.json"
-broken "a mistake's hint that holds what is returned" "step order: depth<position_map.z?0.0:1.0" "sed -i '0,/\"name\": \"[^\"]*\"/s//\"name\": \"step order\"/; 0,/\"hint\": \"/s//&depth < position_map.z ? 0.0 : 1.0/' $three/mistakes.json"
-broken "a task that the handout forgets" "FAILED: 03-shadow-map: task ids agree" "sed -i '/^| 3.5 /d' $three/README.md && build/skeletons labs"
-broken "points that do not sum to 100" "FAILED: 03-shadow-map: 100 points" "sed -i '0,/\"points\": [0-9]*/s//\"points\": 88/' $three/rubric.json"
-broken "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds without warnings" "sed -i 's/    UNUSED(light);//' $three/lab.c && sed -i 's/^static void destroy/static int unused;\n&/' $three/lab.c && build/skeletons labs"
-broken "a long file" "FAILED: files of at most 300 lines" "seq -f '// %g' 301 >common/long.h"
-broken "a long student file" "FAILED: student files of at most 120 lines" "seq -f '// %g' 121 >>$three/shadow.frag && build/skeletons labs"
-broken "a long .c that does not say its job" "common/gl.c: its first line says nothing" "sed -i '0,/^#include/{/^\/\//d}' common/gl.c"
+breaks "a task without a hint" "FAILED: 03-shadow-map: task ids agree" "sed -i 's/\"3.4\": \\[/\"3.44\": [/' $three/hints.json"
+breaks "a mistake's hint that holds what is returned" "step order: depth<position_map.z?0.0:1.0" "sed -i '0,/\"name\": \"[^\"]*\"/s//\"name\": \"step order\"/; 0,/\"hint\": \"/s//&depth < position_map.z ? 0.0 : 1.0/' $three/mistakes.json"
+breaks "points that do not sum to 100" "FAILED: 03-shadow-map: 100 points" "sed -i '0,/\"points\": [0-9]*/s//\"points\": 88/' $three/rubric.json"
+breaks "a long file" "FAILED: files of at most 300 lines" "seq -f '// %g' 301 >common/long.h"
+breaks "a long .c that does not say its job" "common/gl.c: its first line says nothing" "sed -i '0,/^#include/{/^\/\//d}' common/gl.c"
+breaks "common/ that knows a lab" "FAILED: floors: common/ knows neither labs" "echo '// see solutions/03' >>common/scene/random.h"
+breaks "an include that points up" "common/scene/random.c:3: scene includes draw.h, which is up" "sed -i '2a #include \"draw.h\"' common/scene/random.c"
+breaks "two types of one name" "Process: common/scene/random.h grader/base/process.h" "echo 'typedef struct Process { int id; } Process;' >>common/scene/random.h"
+breaks "two modules of one name" "pipe.c: common/pipe.h grader/base/pipe." "cp common/scene/count.h common/pipe.h"
+breaks "two files of one name" "page.css: common/page.css grader/pages/page.css" "cp grader/pages/page.css common"
+breaks "a missing picture" "picture.png is missing" "rm labs/03-shadow-map/map.png labs/03-shadow-map/picture.png"
+refused
+breaks "a task with two hints" "FAILED: 03-shadow-map: task ids agree" "python3 -c 'import json; p = \"$three/hints.json\"; j = json.load(open(p)); del j[\"3.4\"][2]; json.dump(j, open(p, \"w\"))'"
+breaks "a skeleton with a warning" "FAILED: 03-shadow-map: the skeleton builds without warnings" "sed -i 's/    UNUSED(light);//' $three/lab.c && sed -i 's/^static void destroy/static int unused;\n&/' $three/lab.c && build/skeletons labs"
+breaks "a long student file" "FAILED: student files of at most 120 lines" "seq -f '// %g' 121 >>$three/shadow.frag && build/skeletons labs"
+breaks "a package in a room that does not know it" "only truth may include embree3/rtcore.h" "sed -i '2a #include <embree3/rtcore.h>' common/scene/random.c"
+breaks "an include without its room" "names no file from common/ or grader/ on" "sed -i '2a #include \"score.h\"' common/scene/random.c"
+breaks "a circle" "a circle: common/scene/scene -> common/scene/random -> common/scene/scene" "sed -i '2a #include \"scene/scene.h\"' common/scene/random.c"
+refused
+breaks "a hint that holds a line of the solution" "3.4: glClear(GL_DEPTH_BUFFER_BIT)" "sed -i 's/clear the depth, and let/glClear( GL_DEPTH_BUFFER_BIT ), and let/' $three/hints.json"
+breaks "a task that the handout forgets" "FAILED: 03-shadow-map: task ids agree" "sed -i '/^| 3.5 /d' $three/README.md && build/skeletons labs"
+breaks "labs/ edited by hand" "labs/03-shadow-map/shadow.frag differ" "echo >>labs/03-shadow-map/shadow.frag"
+refused
 cp grader/score/README.md "$work/readme"
 echo 'See `score_old.c`, [there](../none), `make nonsense`, `build/nonsense --help` and `grader/score/none`.' >>grader/score/README.md
 runs grader/scripts/named_files
 expect "a README that names what is gone" 1 "grader/score/README.md: score_old.c is not there" ": ../none is not" ": make nonsense is not" ": build/nonsense is not" ": grader/score/none is not"
 cp "$work/readme" grader/score/README.md
-broken "common/ that knows a lab" "FAILED: floors: common/ knows neither labs" "echo '// see solutions/03' >>common/scene/random.h"
-broken "an include that points up" "common/scene/random.c:3: scene includes draw.h, which is up" "sed -i '2a #include \"draw.h\"' common/scene/random.c"
-broken "a package in a room that does not know it" "only truth may include embree3/rtcore.h" "sed -i '2a #include <embree3/rtcore.h>' common/scene/random.c"
-broken "an include without its room" "names no file from common/ or grader/ on" "sed -i '2a #include \"score.h\"' common/scene/random.c"
-broken "a circle" "a circle: common/scene/scene -> common/scene/random -> common/scene/scene" "sed -i '2a #include \"scene/scene.h\"' common/scene/random.c"
-broken "two types of one name" "Process: common/scene/random.h grader/base/process.h" "echo 'typedef struct Process { int id; } Process;' >>common/scene/random.h"
-broken "two modules of one name" "pipe.c: common/pipe.h grader/base/pipe." "cp common/scene/count.h common/pipe.h"
-broken "two files of one name" "page.css: common/page.css grader/pages/page.css" "cp grader/pages/page.css common"
-broken "a missing picture" "picture.png is missing" "rm labs/03-shadow-map/map.png labs/03-shadow-map/picture.png"
 
 # Students' helpers.
 echo "// mine" >>labs/03-shadow-map/shadow.frag
