@@ -135,7 +135,7 @@ static void test_worth(void **unused) {
     Rubric *rubric = &changes.examiner.rubric;
     while (strcmp(rubric->checks[0].name, "comparison: spot light") != 0)
         memmove(&rubric->checks[0], &rubric->checks[1], (RUBRIC_MAX_CHECKS - 1) * sizeof rubric->checks[0]);
-    rubric->check_count = 1;
+    rubric->check_count = rubric->checks[0].scene_count = 1; // a box on a floor, and no other scene
     Exam *exam = changes.court.exam = lab_exam_exam(&changes.examiner, &options);
     assert_non_null(exam);
     for (int n = 0; n < rubric->checks[0].variants; n++) {
