@@ -54,6 +54,14 @@ bool option_whole(int *number, const char *text, int least, int most) {
     return true;
 }
 
+bool option_bit(uint32_t *bits, const char *text, int most) {
+    int number;
+    if (!option_whole(&number, text, 0, most))
+        return false;
+    *bits |= 1U << number;
+    return true;
+}
+
 bool option_decimal(double *number, const char *text) {
     char *end;
     if (strspn(text, "0123456789.eE+-") != strlen(text) || strcspn(text, DIGITS) == strlen(text))

@@ -41,8 +41,9 @@ bool option_lab_of_student(void *target, const char *text);
 // To a const char *: a task, "3.2".
 bool option_task(void *target, const char *text);
 
-// Parts of a `take`: a whole number from `least` to `most`, a decimal number, and "WIDTHxHEIGHT" with sides
-// from 1 to `most`.
+// Parts of a `take`: a whole number from `least` to `most`, one from 0 to `most` (at most 31) whose bit is
+// set beside those of earlier ones, a decimal number, and "WIDTHxHEIGHT" with sides from 1 to `most`.
 bool option_whole(int *number, const char *text, int least, int most);
+bool option_bit(uint32_t *bits, const char *text, int most);
 bool option_decimal(double *number, const char *text);
 bool option_size(int *width, int *height, const char *text, int most);

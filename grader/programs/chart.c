@@ -56,11 +56,7 @@ static bool take_size(void *target, const char *text) {
 }
 
 static bool take_without(void *target, const char *text) {
-    uint32_t *without = target;
-    int number = 0;
-    bool ok = option_whole(&number, text, 0, SCENE_MAX_OBJECTS - 1);
-    *without |= 1U << number;
-    return ok;
+    return option_bit(target, text, SCENE_MAX_OBJECTS - 1);
 }
 
 #define AT(field) offsetof(ChartCommand, field)

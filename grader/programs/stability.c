@@ -51,10 +51,7 @@ static bool take_mistake(void *target, const char *text) {
 
 static bool take_without(void *target, const char *text) {
     StabilityCommand *command = target;
-    int number = 0;
-    bool ok = option_whole(&number, text, 0, SCENE_MAX_OBJECTS - 1);
-    command->labs.without |= 1U << number;
-    return ok;
+    return option_bit(&command->labs.without, text, SCENE_MAX_OBJECTS - 1);
 }
 
 static const Option options[] = {
