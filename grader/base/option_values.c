@@ -55,7 +55,7 @@ bool option_whole(int *number, const char *text, int least, int most) {
 }
 
 bool option_bit(uint32_t *bits, const char *text, int most) {
-    int number;
+    int number = 0;
     if (!option_whole(&number, text, 0, most))
         return false;
     *bits |= 1U << number;
