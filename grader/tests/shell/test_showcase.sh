@@ -40,6 +40,14 @@ cmp -s "$work/own.png" "$work/shown-0.png" && ok || bad "the student's own pictu
 "$root/$BUILD/frame" --lab 03 --colors quiet --fine 2 "${words[@]}" --size 800x600 "$work/ours.png"
 cmp -s "$work/ours.png" "$work/shown-0.png" && bad "ours in its place" || ok
 has "soft shadows: lab.c does not compile"
+# A disk that is full, and Ctrl-C: a line, and the page of before.
+whole=$page
+ln -s /dev/full "$made/showcase.html.new"
+shows
+expect "a full disk" 1 "showcase.html cannot be written: No space left on device"
+[[ $out != *Traceback* && $page == "$whole" && ! -L $made/showcase.html.new ]] && ok || bad "nothing is lost on a full disk" "$out"
+out=$(timeout -s INT 0.4 grader/scripts/showcase "$made" "$labs" 2>&1) && bad "Ctrl-C" "$out"
+[[ $out == "stopped; nothing was written" && $(<"$made/showcase.html") == "$whole" ]] && ok || bad "Ctrl-C" "$out"
 # The chart of what make study has measured: a lab's own, and nothing where the table is damaged.
 [[ $page != *"<svg"* ]] && ok || bad "a chart of nothing"
 chart() { # MS ERROR MESSAGE: of the student
