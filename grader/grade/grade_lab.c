@@ -5,6 +5,7 @@
 #include "grade/address.h"
 #include "grade/control.h"
 #include "grade/hidden.h"
+#include "grade/later_frame.h"
 #include "scene/check.h"
 #include "base/statistics.h"
 #include "diagnose/diagnose.h"
@@ -145,8 +146,13 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
     result->speed_ratio = ratios.count > 0 ? statistics_median(ratios.values, (size_t)ratios.count) : 0;
     grade_pictures(result, exam);
     remarks_write(&remarks, text, sizeof text);
-    if (result->status == LAB_PASSED && exam->rubric->remarks && text[0])
+    if (result->status != LAB_PASSED)
+        return;
+    if (exam->rubric->remarks && text[0])
         grade_warn(result, text);
+    if (!later_frame_is_same(exam, student))
+        grade_warn(result, REMARK "a frame hangs on the frame before it: turn the camera in the window, and look for "
+                                  "what is not cleared, or is kept in a variable");
 }
 
 // Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.

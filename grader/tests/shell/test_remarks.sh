@@ -24,6 +24,14 @@ expect "what is in vain is told, and costs nothing" 0 "100.00 of 100 points" \
     "without points: the uniform u_bias_unused is set, but has no effect" \
     "without points: each frame makes a texture anew (glGenTextures)"
 
+# What is left of the frame before: the light where the sky is now; a lab without it is told nothing (above).
+for change in '07 /glClearBufferfv(GL_COLOR, 1/d' '10 s/GL_COLOR_BUFFER_BIT | GL_DEPTH/GL_DEPTH/'; do
+    lab=${change%% *} folder=$(solved "left-${change%% *}" "${change%% *}")
+    sed -i "${change#* }" "$folder/$lab"-*/lab.c
+    grades --trusted --lab "$lab" --seed 1 "$folder"
+    expect "lab $lab: a frame hangs on the frame before it" 0 "100.00 of 100 points" "without points: a frame hangs on the frame before it"
+done
+
 # Made in create, or in the first frame alone, it is no work that is repeated.
 folder=$(solved once)
 sed -i 's/^    frame_bind(frame);/&\n    static GLuint once;\n    if (!once)\n        glGenTextures(1, \&once);/' "$folder"/03-*/lab.c
