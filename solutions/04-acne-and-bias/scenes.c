@@ -138,8 +138,8 @@ static void make_slats(Scene *scene, LightKind kind, Random *random) {
     } else {
         light->half_size = random_range(random, 3.3f, 4.2f);
     }
-    for (int i = 0; i < 6; i++) {
-        float along = height / tanf(glm_rad(elevation)) + 0.42f * scale * ((float)i - 2.5f);
+    for (int i = -1; i <= 1; i++) {
+        float along = height / tanf(glm_rad(elevation)) + 0.42f * scale * (float)i;
         part_object(scene, SHAPE_BOX, vec3_make(along * sinf(a), height, along * cosf(a)),
                     vec3_make(1.6f * scale, 0.02f, 0.1f * scale), azimuth, color);
     }
@@ -177,7 +177,7 @@ static void make_thin_wall_spot(Scene *scene, Random *random) {
     scene->lights[0].kind = LIGHT_SPOT;
 }
 
-// Cards over a floor: two lie flat and face the light, two stand with their backs to it.
+// Cards over a floor: one lies flat and faces the light, one stands with its back to it.
 static void make_cards(Scene *scene, Random *random) {
     float azimuth = random_range(random, 150, 210);
     int standing = random_int(random, 0, 1);
@@ -185,12 +185,10 @@ static void make_cards(Scene *scene, Random *random) {
     approach(scene, 0.8f);
     part_floor(scene, 4, random);
     add_low_light(scene, LIGHT_DIRECTIONAL, azimuth, random_range(random, 45, 58));
-    for (int i = 0; i < 4; i++) {
-        int column = i % 2, row = i / 2;
-        bool stands = (column + row + standing) % 2;
-        Pose pose = {.center = vec3_make(1.6f * (float)column - 0.8f + random_range(random, -0.3f, 0.3f),
-                                         random_range(random, 0.7f, 1.1f),
-                                         1.8f * (float)row - 0.9f + random_range(random, -0.3f, 0.3f)),
+    for (int i = 0; i < 2; i++) {
+        bool stands = i == standing;
+        Pose pose = {.center = vec3_make(1.6f * (float)i - 0.8f + random_range(random, -0.3f, 0.3f),
+                                         random_range(random, 0.7f, 1.1f), random_range(random, -0.6f, 0.6f)),
                      .turn = azimuth,
                      .lean = stands ? random_range(random, -95, -75) : random_range(random, 5, 25),
                      .half_size = random_range(random, 0.5f, 0.7f)};

@@ -48,7 +48,7 @@ static void make_edge(Scene *scene, Random *random) {
     scene->camera.target = on_floor(light, glms_mat4_mulv3(box->world_from_object, edge, 1));
 }
 
-// Small boxes above the floor and a thin post on it: their shadows are narrower than the disc.
+// Small boxes above the floor: their shadows are narrower than the disc.
 static void add_pebbles(Scene *scene, Random *random, float side) {
     for (int i = 0; i < 6; i++) {
         int row = i / 2;
@@ -59,18 +59,17 @@ static void add_pebbles(Scene *scene, Random *random, float side) {
         part_object(scene, SHAPE_BOX, center, vec3_make(r, r, r), random_range(random, 0, 90),
                     part_color(random));
     }
-    part_object(scene, SHAPE_BOX, vec3_make(2.5f * side, 0.8f, random_range(random, -1, 1)),
-                vec3_make(0.06f, 0.8f, 0.06f), 45, part_color(random));
 }
 
-// Slats across slats above the floor: small windows, narrower than the disc, in a large shadow.
-static void add_windows(Scene *scene, Random *random, float side) {
+// Two slats across two above the floor: a small window, narrower than the disc, in a large shadow.
+static void add_window(Scene *scene, Random *random, float side) {
     float turn = random_range(random, -10, 10), height = random_range(random, 1, 1.3f);
     const float gap = 0.2f, step = 1.05f, half_width = step / 2 - gap, half_length = step + half_width;
     mat4s turned = glms_rotate_make(glm_rad(turn), vec3_make(0, 1, 0));
-    for (int i = -1; i <= 1; i++) {
-        vec3s along = vec3_make(1.6f * side + step * (float)i, height, -0.6f);
-        vec3s across = vec3_make(1.6f * side, height + 0.2f, step * (float)i - 0.6f);
+    for (int i = 0; i < 2; i++) {
+        float from_middle = step * ((float)i - 0.5f);
+        vec3s along = vec3_make(1.6f * side + from_middle, height, -0.6f);
+        vec3s across = vec3_make(1.6f * side, height + 0.2f, from_middle - 0.6f);
         part_object(scene, SHAPE_BOX, glms_mat4_mulv3(turned, along, 1),
                     vec3_make(half_width, 0.1f, half_length), turn, part_color(random));
         part_object(scene, SHAPE_BOX, glms_mat4_mulv3(turned, across, 1),
@@ -83,7 +82,7 @@ static void make_pebbles(Scene *scene, Random *random) {
     part_floor(scene, 6, random);
     float side = random_int(random, 0, 1) ? 1 : -1;
     add_pebbles(scene, random, side);
-    add_windows(scene, random, -side);
+    add_window(scene, random, -side);
     add_lamp(scene, random, any_kind(random), 45, 60);
 }
 
