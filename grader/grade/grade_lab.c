@@ -151,8 +151,9 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
     if (exam->rubric->remarks && text[0])
         grade_warn(result, text);
     if (!later_frame_is_same(exam, student))
-        grade_warn(result, REMARK "a frame hangs on the frame before it: turn the camera in the window, and look for "
-                                  "what is not cleared, or is kept in a variable");
+        grade_warn(result,
+                   REMARK "a frame hangs on the frame before it: turn the camera in the window, and look for "
+                          "what is not cleared, or is kept in a variable");
 }
 
 // Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.

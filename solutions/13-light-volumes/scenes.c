@@ -40,18 +40,16 @@ static Light *light_from(Scene *scene, Random *random, float lowest, float highe
     return light;
 }
 
-// Nothing throws a shadow into the air: a floor, and two walls that the light is before.
+// Nothing throws a shadow into the air: a floor, and a wall that the light is before.
 static void make_bare(Scene *scene, Random *random) {
     begin(scene, random);
-    for (int i = 0; i < 2; i++) {
-        float x = (float)(2 * i - 1) * random_range(random, 1, 2.5f);
-        Object *wall =
-            part_object(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(1.3f, 1, 2), 0, part_color(random));
-        mat4s placed = glms_rotate(glms_translate_make(vec3_make(x, 1.6f, random_range(random, -4, -1))),
-                                   random_range(random, -0.5f, 0.5f), vec3_make(0, 1, 0));
-        placed = glms_rotate(placed, GLM_PI_2f, vec3_make(1, 0, 0));
-        wall->world_from_object = glms_mat4_mul(placed, wall->world_from_object);
-    }
+    float x = (random_int(random, 0, 1) ? 1.f : -1.f) * random_range(random, 1, 2.5f);
+    Object *wall =
+        part_object(scene, SHAPE_PLANE, vec3_make(0, 0, 0), vec3_make(1.3f, 1, 2), 0, part_color(random));
+    mat4s placed = glms_rotate(glms_translate_make(vec3_make(x, 1.6f, random_range(random, -4, -1))),
+                               random_range(random, -0.5f, 0.5f), vec3_make(0, 1, 0));
+    placed = glms_rotate(placed, GLM_PI_2f, vec3_make(1, 0, 0));
+    wall->world_from_object = glms_mat4_mul(placed, wall->world_from_object);
     vec3s place =
         part_orbit(vec3_make(0, 0, 0), random_range(random, -40, 40), random_range(random, 60, 85), 12);
     part_light(scene, random_int(random, 0, 1) ? LIGHT_SPOT : LIGHT_DIRECTIONAL, place, vec3_make(0, 0, 0))
