@@ -147,7 +147,7 @@ for script in "$scripts"/*; do
     [[ -f $script && -x $script ]] || continue
     helps "$name" "$script"
     [[ $name == @(publish_chart|bench_class) ]] || refuses "$name --frobnicate" "--frobnicate" "$script" --frobnicate
-    [[ $name == @(publish_chart|bench_class|contexts|floors|named_files|table) ]] || refuses "$name: too many" "one operand too many" "$script" 3 b c d
+    [[ $name == @(publish_chart|bench_class|contexts|economy|floors|named_files|table) ]] || refuses "$name: too many" "one operand too many" "$script" 3 b c d
 done
 helps setup "$root/common/setup"
 refuses "setup --frobnicate" "usage: common/setup" "$root/common/setup" --frobnicate
