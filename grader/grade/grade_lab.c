@@ -146,14 +146,8 @@ void grade_frames(LabResult *result, Exam *exam, WorkerClient *student, bool tim
     result->speed_ratio = ratios.count > 0 ? statistics_median(ratios.values, (size_t)ratios.count) : 0;
     grade_pictures(result, exam);
     remarks_write(&remarks, text, sizeof text);
-    if (result->status != LAB_PASSED)
-        return;
-    if (exam->rubric->remarks && text[0])
+    if (result->status == LAB_PASSED && exam->rubric->remarks && text[0])
         grade_warn(result, text);
-    if (!later_frame_is_same(exam, student))
-        grade_warn(result,
-                   REMARK "a frame hangs on the frame before it: turn the camera in the window, and look for "
-                          "what is not cleared, or is kept in a variable");
 }
 
 // Not a point, as from a driver that draws nothing there: then ours must come out of the same jail.
@@ -191,8 +185,14 @@ static bool examine(LabResult *result, LabExam *examiner, WorkerClient *student,
         return true;
     if (options->early && !result_done(result))
         options->early(result, options->early_context);
-    return diagnose(result, exam, student, options->no_swap ? FAULT_BY_RESET : FAULT_BY_SWAP) &&
-           (!options->evidence || evidence_attach(result, exam, options->hidden));
+    if (!diagnose(result, exam, student, options->no_swap ? FAULT_BY_RESET : FAULT_BY_SWAP) ||
+        (options->evidence && !evidence_attach(result, exam, options->hidden)))
+        return false;
+    const char *remark = result->status == LAB_PASSED ? later_frame_remark(exam, student) : NULL;
+    if (remark)
+        grade_warn(result, remark);
+    check_clear();
+    return true;
 }
 
 bool grade_lab(LabResult *result, LabExam *examiner, const char *submission, const GradeOptions *options) {

@@ -1,5 +1,6 @@
 #include "grade/later_frame.h"
 
+#include "grade/remarks.h"
 #include "score/score.h"
 
 #include <string.h>
@@ -21,22 +22,36 @@ static void turn(Camera *camera) {
     camera->eye = glms_vec3_add(camera->target, arm);
 }
 
-bool later_frame_is_same(const Exam *exam, WorkerClient *student) {
+// Of the second frame, which was drawn with that result after the first one.
+static const char *judge(DrawResult drawn, const Image *after, Request *request, WorkerClient *student) {
+    static Reply reply;
+    Image alone = {0};
+    if (drawn == DRAW_LOST || drawn == DRAW_FAILED)
+        return REMARK "the camera was turned, and no second frame came: turn it in the window";
+    request->fresh = 1;
+    bool differs = drawn == DRAW_OK && worker_client_draw(student, request, &alone, &reply) == DRAW_OK &&
+                   score_mask(&alone, after) > LEAST;
+    image_destroy(&alone);
+    return differs ? REMARK
+               "a frame hangs on the frame before it: turn the camera in the window, and look for "
+               "what is not cleared, or is kept in a variable"
+                   : NULL;
+}
+
+const char *later_frame_remark(const Exam *exam, WorkerClient *student) {
     static Reply reply;
     static Request request;
-    Image first = {0}, after = {0}, alone = {0};
+    Image picture = {0};
+    const char *remark = NULL;
     if (!last_picture(exam))
-        return true;
+        return NULL;
     request = *last_picture(exam);
-    bool drawn = worker_client_draw(student, &request, &first, &reply) == DRAW_OK;
-    turn(&request.scene.camera);
-    request.fresh = 0;
-    drawn = drawn && worker_client_draw(student, &request, &after, &reply) == DRAW_OK;
-    request.fresh = 1;
-    drawn = drawn && worker_client_draw(student, &request, &alone, &reply) == DRAW_OK;
-    bool same = !drawn || score_mask(&alone, &after) <= LEAST;
-    image_destroy(&first);
-    image_destroy(&after);
-    image_destroy(&alone);
-    return same;
+    if (worker_client_draw(student, &request, &picture, &reply) == DRAW_OK) {
+        turn(&request.scene.camera);
+        request.fresh = 0;
+        const DrawResult drawn = worker_client_draw(student, &request, &picture, &reply);
+        remark = judge(drawn, &picture, &request, student);
+    }
+    image_destroy(&picture);
+    return remark;
 }

@@ -6,6 +6,6 @@
 #include "exam/worker_client.h"
 
 // Draws one variant of the exam's last check of the picture, turns the camera, and draws again, with what is
-// left of the frame before and without it. True when these two are the same, or when one of them does not
-// come: the lab has passed, and there is nothing to say.
-bool later_frame_is_same(const Exam *exam, WorkerClient *student);
+// left of the frame before and without it. The remark for who has passed: these two differ, or the second
+// frame crashes or fails; NULL when there is nothing to say. The worker may be lost afterwards: ask last.
+const char *later_frame_remark(const Exam *exam, WorkerClient *student);

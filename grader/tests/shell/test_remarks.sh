@@ -32,6 +32,19 @@ for change in '07 /glClearBufferfv(GL_COLOR, 1/d' '10 s/GL_COLOR_BUFFER_BIT | GL
     expect "lab $lab: a frame hangs on the frame before it" 0 "100.00 of 100 points" "without points: a frame hangs on the frame before it"
 done
 
+# A second frame that crashes is told, too, and nothing more is made of it.
+folder=$(solved crashes)
+sed -i 's/^static bool create(const Frame \*frame) {/static int frames;\n&\n    frames = 0;/; s/^    frame_bind(frame);/    if (frames++)\n        *(volatile int *)0 = 1;\n&/' \
+    "$folder"/03-*/lab.c
+grades --trusted --lab 03 --seed 1 "$folder"
+expect "a second frame that crashes" 0 "100.00 of 100 points" "without points: the camera was turned, and no second frame came"
+[[ $out != *AddressSanitizer* && $out != *"it crashed"* ]] && ok || bad "a lab that passes is not explained" "$out"
+
+# Our labs draw any frame in the same way.
+grades --trusted --seed 1 solutions
+expect "all labs" 0 "1600.00 of 1600 points"
+[[ $out != *"without points"* ]] && ok || bad "a solution gets no remark" "$out"
+
 # Made in create, or in the first frame alone, it is no work that is repeated.
 folder=$(solved once)
 sed -i 's/^    frame_bind(frame);/&\n    static GLuint once;\n    if (!once)\n        glGenTextures(1, \&once);/' "$folder"/03-*/lab.c
