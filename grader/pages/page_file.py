@@ -1,6 +1,6 @@
 """Pages that scripts write: shell.html filled, and the file is there as a whole or not at all.
 
-Who imports this has what the machine refuses (a full disk), and Ctrl-C, told in one line without a traceback.
+Who imports this has what the machine refuses, and Ctrl-C, told in one line without a traceback.
 """
 import os, pathlib, re, sys
 
@@ -11,7 +11,7 @@ def _tell(kind, error, trace):
     if issubclass(kind, KeyboardInterrupt):
         print("stopped; nothing was written", file=sys.stderr)
     elif issubclass(kind, OSError):
-        print(f"{error.filename or 'a file'} cannot be written: {error.strerror}", file=sys.stderr)
+        print(f"{error.filename or 'a file'}: {error.strerror}", file=sys.stderr)
     else:
         sys.__excepthook__(kind, error, trace)
 
@@ -29,6 +29,5 @@ def write(path, title, style, content):
         os.replace(new, path)
     except OSError as error:
         new.unlink(missing_ok=True)
-        error.filename = str(path)
-        raise
+        sys.exit(f"{path} cannot be written: {error.strerror}")
     return len(page)

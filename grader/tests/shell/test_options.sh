@@ -149,6 +149,7 @@ for script in "$scripts"/*; do
     [[ $name == @(publish_chart|bench_class) ]] || refuses "$name --frobnicate" "--frobnicate" "$script" --frobnicate
     [[ $name == @(publish_chart|bench_class|contexts|economy|floors|named_files|table) ]] || refuses "$name: too many" "one operand too many" "$script" 3 b c d
 done
+refuses "economy: too many" "one operand too many" "$scripts/economy" {1..20}
 helps setup "$root/common/setup"
 refuses "setup --frobnicate" "usage: common/setup" "$root/common/setup" --frobnicate
 refuses "publish_chart --frobnicate" "--frobnicate: unknown option" "$scripts/publish_chart" "$bin" --frobnicate
