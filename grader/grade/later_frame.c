@@ -26,7 +26,7 @@ static void turn(Camera *camera) {
 static const char *judge(DrawResult drawn, const Image *after, Request *request, WorkerClient *student) {
     static Reply reply;
     Image alone = {0};
-    if (drawn == DRAW_LOST || drawn == DRAW_FAILED)
+    if (drawn != DRAW_OK && drawn != DRAW_FAULT)
         return REMARK "the camera was turned, and no second frame came: turn it in the window";
     request->fresh = 1;
     bool differs = drawn == DRAW_OK && worker_client_draw(student, request, &alone, &reply) == DRAW_OK &&

@@ -7,5 +7,5 @@
 
 // Draws one variant of the exam's last check of the picture, turns the camera, and draws again, with what is
 // left of the frame before and without it. The remark for who has passed: these two differ, or the second
-// frame crashes or fails; NULL when there is nothing to say. The worker may be lost afterwards: ask last.
+// frame does not come; NULL when there is nothing to say. The worker may be lost afterwards: ask last.
 const char *later_frame_remark(const Exam *exam, WorkerClient *student);
